@@ -30,25 +30,27 @@ struct Trait {
     std::string unit;                   //!< unit of its numbers; "1": a factor
     Range range;                        //!< range of each number
     bool is_circular = false;  //!< whether range ends meet, as angles do
-    //! Whether campaigns that name no trait set breed the trait.
+    //! Whether campaigns without an explicit set of traits optimise this trait.
     bool is_bred = true;
 };
 
 //! Variation between plants of a crop in a field, as given in the crop file.
 struct CropVariation {
     PlantVariation plants;
-    //! Largest random turn of each plant [deg]; none: the default of all crops.
+    //! Largest random rotation of each plant [deg]; none: the default for all
+    //! crops.
     std::optional<double> jitter{};
 };
 
 //! A crop as data: the properties common to its plants, the traits that can be
-//! bred, and the plant from which breeding starts.
+//! optimised, and the plant from which optimisation starts.
 struct Crop {
     Plant baseline;
     std::vector<Trait> traits;
     //! Names of the sets of bounds in the crop file that campaigns can choose.
     std::vector<std::string> rules{};
-    //! Growth and ageing of plants; none: only the baseline is known.
+    //! Growth and ageing of plants; none: only the full-grown baseline is
+    //! known.
     std::optional<Growth> growth{};
     //! Variation between plants, used by new campaigns only; none: not known.
     std::optional<CropVariation> variation{};
@@ -57,7 +59,7 @@ struct Crop {
 //! One value of a trait.
 struct TraitNumber {
     std::size_t trait = 0;  //!< index in Crop::traits
-    int leaf = 0;           //!< rank from the lowest, 1; 0: no single leaf
+    int leaf = 0;           //!< rank, 1 for the lowest leaf; 0: no single leaf
     int point = 0;          //!< point of a profile, from 1; 0: none
 };
 
@@ -70,16 +72,16 @@ std::vector<TraitNumber> trait_numbers(const Crop& crop);
 //! it, 1 for a trait that scales and 0 for a trait that shifts measures.
 std::vector<double> baseline_numbers(const Crop& crop);
 
-//! Returns the baseline with these trait values. Traits act in their order; a
-//! measure beyond its limits is moved to the nearest limit.
+//! Returns the baseline with these trait values. Traits are applied in order; a
+//! measure beyond its limits is set to the nearest limit.
 //! @param numbers trait values in the order of trait_numbers()
-//! @throws Error if there are too few or too many values, or a trait acts on a
-//! measure that the plant does not have.
+//! @throws Error if there are too few or too many values, or the plant lacks a
+//! measure that a trait changes.
 Plant grow(const Crop& crop, const std::vector<double>& numbers);
 
-//! Interpolates values at equal distances over [0, 1] at x: a cubic Hermite
-//! curve that is monotone between neighbouring values and so never exceeds them
-//! (Fritsch and Butland 1984, doi:10.1137/0905021). A single value gives a
+//! Interpolates values at equal distances over [0, 1] at x. The curve is cubic
+//! Hermite and monotone between neighbouring values, so it never overshoots
+//! them (Fritsch and Butland 1984, doi:10.1137/0905021). A single value gives a
 //! constant.
 double profile(const std::vector<double>& values, double x);
 

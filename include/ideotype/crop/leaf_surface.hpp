@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! Control points along each line of a blade, a cubic B-spline.
+//! Control points along each line of a blade; each line is a cubic B-spline.
 inline constexpr std::size_t controls_along = 6;
 
 //! One point of each of the three lines that run from base to tip.
@@ -25,35 +25,34 @@ struct BladeRow {
 //! weights: linear across (left edge, midrib, right edge), cubic along, knots
 //! at 1/3 and 2/3.
 //!
-//! The midrib lies in a vertical plane. Its angle from the vertical at
-//! relative arc length s is insertion_angle + curvature * s^curvature_exponent.
-//! Its six control points make the spline pass through that curve at the
-//! Greville abscissae, so that the spline parameter is close to relative arc
-//! length. The halves of the blade rise by `folding_angle` towards the upper
-//! side, and are turned about the midrib by roll + twist * (s - 1/2).
+//! The midrib lies in a vertical plane. Its angle from the vertical at relative
+//! arc length s is insertion_angle + curvature * s^curvature_exponent. Six
+//! control points make the spline interpolate that curve at the Greville
+//! abscissae, so that the spline parameter is close to relative arc length.
+//! Both halves of the blade rise by `folding_angle` towards the upper side, and
+//! are rotated about the midrib by roll + twist * (s - 1/2).
 //!
-//! A digitised midrib has the angles of its segments at the middles of the
-//! segments, and linear interpolation between them. If a trait changes
+//! For a digitised midrib, the angle of each segment applies at the middle of
+//! the segment, with linear interpolation in between. If a trait changes
 //! insertion_angle or curvature, the change is added to these angles. The
-//! surface then passes through the integral of the angle at every parameter,
-//! which no six control points could follow.
+//! midrib is then the integral of its direction at every parameter, because six
+//! control points could not follow it.
 class LeafSurface {
   public:
-    //! Builds the leaf on a stalk along the z axis, not yet turned to its
+    //! Builds the leaf on a stalk along the z axis, before rotation to its
     //! azimuth: the midrib is in the plane x = 0, y >= 0.
     //! @param distance distance of the midrib's base from the z axis [m]
     //! @throws Error if there are not six width controls.
     LeafSurface(const Leaf& leaf, const Blade& blade, double distance = 0);
 
-    //! Returns the surface at parameter t in [0, 1] [m].
+    //! Returns the three points of the surface at parameter t in [0, 1] [m].
     BladeRow row(double t) const;
 
-    //! Returns cells + 1 rows at equal parameters. They are stretched along and
-    //! across so that the midrib polyline has exactly the length of the leaf,
-    //! and the widest row exactly its width (measured on the blade, as on a
-    //! leaf laid flat).
+    //! Returns cells + 1 rows at equal parameters. The rows are stretched along
+    //! and across so that the midrib polyline has exactly the leaf's length and
+    //! the widest row exactly its width, as measured on a leaf laid flat.
     //! @param begin,end relative lengths between which rows are made; the blade
-    //! is moved so that its visible part begins at the stalk
+    //! is shifted so that this part begins at the stalk
     std::vector<BladeRow> tessellate(int cells, double begin = 0,
                                      double end = 1) const;
 
@@ -61,10 +60,11 @@ class LeafSurface {
     //! Returns the midrib's angle from the vertical at relative arc length s
     //! [rad].
     double angle(double s) const;
-    //! Moves a point along the midrib between two relative arc lengths, out and
-    //! up: the integral of the midrib's direction by Simpson's rule [m].
+    //! Moves a point (distance from the stalk, height) along the midrib between
+    //! two relative arc lengths: the integral of the midrib's direction by
+    //! Simpson's rule [m].
     void advance(glm::dvec2& point, double begin, double stop, int steps) const;
-    //! Returns the two edges of a folded blade on both sides of a midrib point.
+    //! Returns a midrib point with the edges of the folded blade on both sides.
     BladeRow across(const glm::dvec2& midrib, double angle, double width) const;
 
     Leaf leaf_;
@@ -72,11 +72,12 @@ class LeafSurface {
     glm::dvec3 base_;  //!< base of the midrib
     std::array<BladeRow, controls_along> controls_;
     std::vector<glm::dvec2> digitised_;  //!< relative arc length, angle [deg]
-    std::array<glm::dvec2, 33> midrib_;  //!< digitised midrib in equal steps
+    //! Digitised midrib at equal parameter steps.
+    std::array<glm::dvec2, 33> midrib_;
 };
 
-//! Returns the part of a blade's length, from the tip, that contains a given
-//! part of its area.
+//! Returns the fraction of a blade's length, measured from the tip, that
+//! contains a given fraction of the blade's area.
 double length_from_tip(const Blade& blade, double area);
 
 }  // namespace ideotype

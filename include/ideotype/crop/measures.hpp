@@ -56,12 +56,12 @@ inline constexpr std::array leaf_measures{
             "height above the leaf below, or of the lowest above the soil, "
             "instead of insertion_height")};
 
-//! The number of measures, counted from the first, that a plant file must give
-//! for every leaf; further measures default to 0.
+//! The number of leading measures that a plant file must specify for every
+//! leaf; the other measures default to 0.
 inline constexpr std::size_t needed_leaf_measures = 6;
 
-//! The number of measures that are written for every leaf; further measures,
-//! which grasses do not have, are written if any leaf has a value.
+//! The number of measures that are written for every leaf. Other measures,
+//! which grasses lack, are written if any leaf has a nonzero value.
 inline constexpr std::size_t usual_leaf_measures = 8;
 
 inline constexpr std::array blade_measures{
@@ -88,7 +88,7 @@ inline constexpr std::array sheath_measures{
     measure("thickness", "m", 0, 0.01, &Sheath::thickness,
             "thickness of the sheath around the stalk")};
 
-//! Measures of the tissue of stalks, sheaths and further organs.
+//! Measures of the tissue of stalks, sheaths and other organs.
 template <class Part>
 inline constexpr std::array tissue_measures{
     measure<Part>("capacity", "1", 0, 1, &Part::capacity,
@@ -120,13 +120,13 @@ inline constexpr std::array organ_measures{
             "angle of a cone from the vertical")};
 
 //! A measure of a plant: its name, such as "leaf.length" or "stalk.height", its
-//! properties, and its values.
+//! properties, and pointers to its values.
 struct MeasureInfo {
     std::string name;
     const char* unit = "";
     Range limits;
     bool is_of_leaves = false;    //!< whether each leaf has a value
-    bool is_direction = false;    //!< whether 0 and 360 deg are equal
+    bool is_direction = false;    //!< whether 0 and 360 deg are the same value
     std::vector<double*> values;  //!< values in the plant, one or one per leaf
 };
 

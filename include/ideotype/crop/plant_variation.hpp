@@ -9,17 +9,17 @@
 
 namespace ideotype {
 
-//! Standard deviations of a leaf angle [deg], one for each of equal parts of
-//! the leaves, lowest first: three values are for the lower, middle and upper
-//! third. A single value applies to all leaves.
+//! Standard deviations of a leaf angle [deg]. The leaves are divided into as
+//! many equal parts as there are values, lowest first: three values apply to
+//! the lower, middle and upper third. A single value applies to all leaves.
 using LeafSpread = std::vector<double>;
 
-//! Size of plants that emerged late relative to the others (evidence E, from
-//! 0.5 to 0.9).
+//! Size of late-emerging plants relative to the others (evidence E, from 0.5 to
+//! 0.9).
 inline constexpr double late_size = 0.7;
 
-//! Variation between plants of one line in a field, as standard deviations of
-//! distributions truncated at three standard deviations.
+//! Variation between plants of one line in a field. Standard deviations refer
+//! to distributions that are then truncated at three standard deviations.
 struct PlantVariation {
     double length = 0;              //!< length of each blade, relative, normal
     double width = 0;               //!< width of each blade, relative, normal
@@ -35,7 +35,7 @@ struct PlantVariation {
     LeafSpread twist{0};
     double missing = 0;  //!< fraction of plants that are missing
     double late = 0;     //!< fraction of plants that emerged late
-    //! Fraction of plants with leaves across the row, within 45 deg; none:
+    //! Fraction of plants with leaves within 45 deg of across the row; none:
     //! plants have only the random azimuth of the field.
     std::optional<double> across_row{};
     double position = 0;         //!< position along the row [m], normal
@@ -48,20 +48,20 @@ struct PlantVariation {
 //! Normal deviates are truncated at this many standard deviations.
 inline constexpr double most_deviations = 3;
 
-//! Returns a deviation, in standard deviations, truncated on both sides.
+//! Limits a deviation, in standard deviations, on both sides.
 double cut_deviation(double deviation);
 
-//! Draws one plant of a line. The number of random numbers used does not depend
-//! on the variation, so a change of one deviation leaves the others unchanged
-//! (common random numbers). A leaf that would lean to the opposite side of the
-//! stalk leans by the same angle to its own side.
+//! Samples one plant of a line. The number of random numbers used does not
+//! depend on the variation, so changing one standard deviation leaves the other
+//! deviations unchanged (common random numbers). A leaf that would lean to the
+//! opposite side of the stalk leans by the same angle to its original side.
 //! @param side 1, or -1 for the antithetic plant: with equal random numbers all
-//! deviations are opposite, so the mean of the two plants is nearer to the line
+//! deviations are reversed, so the mean of the two plants is closer to the line
 Plant deviating(Plant plant, const PlantVariation& variation,
                 RandomStream& random, double side = 1);
 
-//! Returns the largest height that a leaf could reach, upright on the largest
-//! plant of its line [m].
+//! Returns the greatest height that a leaf could reach if it stood upright on
+//! the largest plant of its line [m].
 double furthest(const Plant& plant, const Leaf& leaf,
                 const PlantVariation& variation = {});
 

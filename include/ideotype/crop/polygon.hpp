@@ -12,12 +12,12 @@ namespace ideotype {
 //! Corners of a polygon, as indices of vertices.
 using Corners = std::vector<std::uint32_t>;
 
-//! The kind of a polygon, with the consequence for its faces.
+//! The kind of a polygon, which determines its faces.
 enum class PolygonKind {
     simple,
     without_area,  //!< there are no faces
-    crossing,      //!< the outline crosses itself, faces may overlap
-    intricate,     //!< splitting takes too long, there are no faces
+    crossing,      //!< the outline crosses itself; faces may overlap
+    intricate,     //!< splitting would take too long; there are no faces
 };
 
 //! The faces of a mesh that cover a polygon: one quadrilateral for four
@@ -27,10 +27,11 @@ struct SplitPolygon {
     std::vector<std::array<std::uint32_t, 4>> faces;
 };
 
-//! Splits a polygon of any shape into faces, by a fan of triangles if it has
-//! one, else by ear clipping. Seen along the mean normal the faces do not
-//! overlap, unless the outline crosses itself. Polygons of tens of thousands of
-//! corners that turn both ways would take more than seconds and are not split.
+//! Splits a polygon of any shape into faces: into a triangle fan if possible,
+//! otherwise by ear clipping. Seen along the mean normal the faces do not
+//! overlap, unless the outline crosses itself. Polygons with tens of thousands
+//! of corners and both left and right turns would take more than seconds and
+//! are not split.
 SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
                            Corners corners);
 

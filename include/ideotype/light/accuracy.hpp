@@ -5,25 +5,26 @@
 
 namespace ideotype {
 
-//! The wished accuracy of an estimate of the light, which also sets its work.
+//! The requested accuracy of light estimates, which determines the amount of
+//! work.
 struct Accuracy {
-    //! Paths per randomisation; their limit if there is a tolerance.
+    //! Paths per randomisation; if there is a tolerance, the upper limit.
     int paths = 4096;
     int randomisations = 8;  //!< independent randomisations, at least 2
-    //! The accepted relative standard error of the light of leaves; 0 asks for
-    //! exactly the given number of paths.
+    //! The accepted relative standard error of the light absorbed by leaves; 0:
+    //! exactly the given number of paths is used.
     double tolerance = 0;
-    //! The number of random fields among which the randomisations are divided
-    //! evenly. With several fields, the standard error includes the differences
-    //! among fields.
+    //! The number of random fields over which the randomisations are
+    //! distributed evenly. With several fields, the standard error includes the
+    //! variation between fields.
     int fields = 1;
 
-    //! Returns the number of independent values of a figure; their spread gives
-    //! its error: one for each field if there are several, else for each
-    //! randomisation.
+    //! Returns the number of independent values of a figure, from which its
+    //! error is estimated: one per field if there are several, otherwise one
+    //! per randomisation.
     int repetitions() const { return fields > 1 ? fields : randomisations; }
 
-    //! Returns the number of paths in all randomisations.
+    //! Returns the total number of paths of all randomisations.
     std::uint64_t all_paths() const {
         return static_cast<std::uint64_t>(paths) *
                static_cast<std::uint64_t>(randomisations);

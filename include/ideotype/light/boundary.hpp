@@ -3,8 +3,8 @@
 
 namespace ideotype {
 
-//! The surroundings of a mesh: copies of the mesh without end, or nothing but
-//! an infinite plane of soil.
+//! The surroundings of a mesh: infinitely many copies of the mesh, or only an
+//! infinite plane of soil.
 enum class Boundary { periodic, isolated };
 
 }  // namespace ideotype

@@ -8,8 +8,9 @@ struct RTCDeviceTy;
 
 namespace ideotype {
 
-//! The ray tracer, on one thread and with one instruction set. Rays that graze
-//! an edge may hit or miss by instruction set, which histories record.
+//! The ray tracer, on one thread and with one instruction set. Whether a ray
+//! that grazes an edge hits it may depend on the instruction set, which
+//! histories record.
 class Device {
   public:
     //! Starts the ray tracer. @throws Error if the processor lacks the
@@ -21,8 +22,8 @@ class Device {
 
     const std::string& isa() const { return isa_; }
 
-    //! Returns the instruction sets that this processor has, narrowest first:
-    //! some of sse2, sse4.2, avx, avx2, avx512.
+    //! Returns the instruction sets that this processor supports, narrowest
+    //! first: some of sse2, sse4.2, avx, avx2, avx512.
     static std::vector<std::string> supported_isas();
 
     //! Returns the name and version of the ray tracing library.

@@ -6,7 +6,7 @@
 
 namespace ideotype {
 
-//! Layers of equal thickness from the soil up; the last one has no upper end.
+//! Layers of equal thickness from the soil up; the last one is unbounded above.
 struct Layers {
     double thickness = 1;  //!< thickness of each layer [m]
     std::size_t count = 1;

@@ -9,22 +9,21 @@
 
 namespace ideotype {
 
-//! A point of a leaf.
+//! A point on a leaf.
 struct LeafPoint {
     glm::dvec3 position;  //!< position in the axes of the mesh [m]
     glm::dvec3 normal;    //!< normal of the adaxial side, unit length
     std::uint32_t group;  //!< group of the mesh
-    //! Whether light cannot reach the point, because it is below the soil
-    //! or on a face with the same corners as an earlier face.
+    //! Whether light cannot reach the point because it is below the soil, or on
+    //! a face that repeats the corners of an earlier face.
     bool is_hidden;
 };
 
-//! Returns the part of the leaf area at a point that does not lie on another
-//! face.
+//! Returns the weight of a point in the leaf area: one over the number of faces
+//! that coincide there.
 double own_part(const RayScene& scene, const LeafPoint& point);
 
-//! The surface of leaves, as the triangles that light meets, from which points
-//! can be drawn.
+//! The surface of leaves as triangles, from which points can be sampled.
 class LeafPoints {
   public:
     //! A function that returns whether a group of the mesh is included.
@@ -37,8 +36,8 @@ class LeafPoints {
     //! Returns the one-sided area of all leaves [m2].
     double area() const { return ends_.empty() ? 0 : ends_.back(); }
 
-    //! Returns a point of the leaves, which must have some area. Points for
-    //! uniform numbers are spread evenly over this area.
+    //! Returns a point on the leaves, which must have some area. Uniform
+    //! numbers give points uniform over this area.
     //! @param share,s,t numbers in [0, 1)
     LeafPoint at(double share, double s, double t) const;
 
@@ -55,7 +54,7 @@ class LeafPoints {
 
     std::vector<Triangle> triangles_;
     std::vector<double>
-        ends_;  //!< sum of the areas up to and with each triangle [m2]
+        ends_;  //!< cumulative areas, up to and including each triangle [m2]
 };
 
 }  // namespace ideotype

@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! A Lambertian face that reflects and transmits parts of the incident light
+//! A Lambertian face: it reflects and transmits fractions of the incident light
 //! and absorbs the rest.
 struct Lambertian {
     double reflectance = 0;
@@ -23,7 +23,7 @@ struct Material {
     Lambertian abaxial;
 
     constexpr Material() = default;
-    //! Makes a sheet with two equal faces.
+    //! Makes a sheet with identical faces.
     constexpr explicit Material(const Lambertian& both)
         : adaxial(both), abaxial(both) {}
     constexpr Material(double reflectance, double transmittance)
@@ -37,11 +37,11 @@ struct Material {
         return is_adaxial ? adaxial : abaxial;
     }
 
-    //! Returns the larger absorptance of both faces.
+    //! Returns the absorptance of the more absorbing face.
     double most_absorbed() const {
         return 1 - std::min(adaxial.scattered(), abaxial.scattered());
     }
-    //! Returns the larger scattered part of light of both faces.
+    //! Returns the scattered fraction of the more scattering face.
     double most_scattered() const {
         return std::max(adaxial.scattered(), abaxial.scattered());
     }
@@ -49,18 +49,17 @@ struct Material {
 
 //! The optical properties, in one waveband, of all surfaces.
 struct Optics {
-    //! The materials, to which Group::material is an index.
+    //! The materials; Group::material is an index into this list.
     std::vector<Material> materials;
     double soil_albedo = 0;  //!< reflectance of the Lambertian soil
 
-    //! Returns a material by its index; a material that is not listed absorbs
-    //! all light.
+    //! Returns a material by its index. Unlisted materials absorb all light.
     const Material& of(std::uint32_t material) const {
         static constexpr Material black;
         return material < materials.size() ? materials[material] : black;
     }
 
-    //! Returns the largest part of light that any material or the soil
+    //! Returns the largest fraction of light that any material or the soil
     //! scatters.
     double most_scattered() const {
         double most = soil_albedo;

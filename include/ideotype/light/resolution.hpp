@@ -8,42 +8,41 @@
 
 namespace ideotype {
 
-//! The least error of figures, which follows from the number of paths of one
-//! randomisation. Even a figure that no path has changed, such as that of a
-//! small leaf, is only known to the energy that a surface keeps of one path. A
-//! figure that follows from the scene, such as the light that black surfaces
-//! scatter, is certain.
+//! Lower bounds on the errors of figures, set by the number of paths in one
+//! randomisation. Even a figure to which no path has contributed, such as the
+//! light on a small leaf, is only known to within the energy that a surface
+//! absorbs from one path. A figure that the scene determines exactly, such as
+//! the light scattered by black surfaces, has no error.
 struct Resolution {
-    //! The energy of one path from each source [J m-2 of ground].
+    //! The energy of one path of each source [J m-2 of ground].
     std::vector<double> path_energy;
 
-    // The following members are parts of a path that a figure gains when the
-    // path meets its surfaces once: their largest absorptance. A part is 0 if
-    // the figure does not depend on paths, since all light or no light ends in
-    // it.
+    // The following members are the largest fraction of a path's energy that a
+    // figure can gain when the path meets its surfaces once: their largest
+    // absorptance. They are 0 if the figure does not depend on paths, because
+    // all light or no light ends there.
     double leaves = 0;
     double organs = 0;
     double objects = 0;
     double soil = 0;
     double reflected = 0;
-    //! The fraction of unscattered light that is absorbed by leaves.
+    //! The fraction of unscattered light that leaves absorb.
     double unscattered = 0;
-    double scattered = 0;  //!< part of scattered light that leaves absorb
-    std::vector<double> groups{};  //!< parts of paths for groups of the mesh
-    std::vector<double> layers{};  //!< parts of paths for layers of leaves
+    double scattered = 0;  //!< fraction of scattered light that leaves absorb
+    std::vector<double> groups{};  //!< fractions of paths, by group of the mesh
+    std::vector<double> layers{};  //!< fractions of paths, by layer of leaves
 
-    //! Returns the energy of the largest path of any source [J m-2 of ground].
+    //! Returns the largest energy of a path of any source [J m-2 of ground].
     double largest_path() const {
         return path_energy.empty() ? 0 : std::ranges::max(path_energy);
     }
 };
 
-//! Returns the larger energies, and the larger parts of a path, of two
-//! resolutions.
+//! Returns, member by member, the larger of the values of two resolutions.
 Resolution combined(const Resolution& a, const Resolution& b);
 
-//! Returns an estimate with a standard error not below the least error that
-//! its paths allow.
+//! Returns an estimate with its standard error raised to at least the given
+//! value.
 Estimate at_least(Estimate x, double standard_error);
 
 }  // namespace ideotype

@@ -10,13 +10,13 @@
 
 namespace ideotype {
 
-//! The number of leading dimensions of a path that a low-discrepancy sequence
-//! fills; further numbers are independent.
+//! The number of leading dimensions of a path that use a low-discrepancy
+//! sequence; further numbers are independent.
 inline constexpr std::size_t path_dimensions = 16;
 
 //! The uniform numbers for the paths of one source in one randomisation: a
-//! scrambled Sobol' sequence of any length. The numbers of other sources and
-//! randomisations are independent.
+//! scrambled Sobol' sequence of any length. Different sources and
+//! randomisations use independent numbers.
 class PathSampler {
   public:
     PathSampler(std::uint64_t seed, std::uint32_t generation,
@@ -30,7 +30,7 @@ class PathSampler {
         tail_seed_ = stream.bits64();
     }
 
-    //! Goes to the number of a path in one dimension, by default the first.
+    //! Moves to a dimension of the numbers of a path, by default the first.
     void begin(std::uint32_t path, std::size_t dimension = 0) {
         path_ = path;
         dimension_ = dimension;

@@ -10,18 +10,19 @@
 
 namespace ideotype {
 
-//! The parts of the light of one source, by the place where they end [J m-2 of
-//! ground].
+//! The light of one source, divided by the kind of surface that absorbs it [J
+//! m-2 of ground].
 struct Budget {
     double leaves = 0;
-    double organs = 0;   //!< light of stalks, sheaths and other organs
-    double objects = 0;  //!< light of fixed objects
+    double organs = 0;   //!< absorbed by stalks, sheaths and other organs
+    double objects = 0;  //!< absorbed by fixed objects
     double soil = 0;
     double reflected = 0;
-    //! The light that entered; in a plot also from the soil around it.
+    //! The light that entered; for a plot, this includes light from the
+    //! surrounding soil.
     double incident = 0;
     double unscattered = 0;  //!< light that leaves absorb before any scattering
-    double sent_on = 0;      //!< light that the first surface has scattered
+    double sent_on = 0;      //!< light scattered at the first surface
 
     Budget& operator+=(const Budget& more) {
         for (double Budget::*part : parts()) this->*part += more.*part;
@@ -46,39 +47,40 @@ struct Budget {
     }
 };
 
-//! The light of one source that pieces of leaves absorb [J m-2 of ground].
+//! The light of one source absorbed by pieces of leaves [J m-2 of ground].
 struct LeafLight {
     struct Part {
         std::uint32_t place;
         double energy;
     };
 
-    //! The light straight from a sun, by triangle of the scene's surfaces.
+    //! The light directly from a sun, by triangle of the scene's surfaces.
     std::vector<Part> beam;
-    //! The light without beams, by piece; a piece may have several parts.
+    //! Diffuse and scattered light by piece; a piece may have several entries.
     std::vector<Part> diffuse;
 };
 
 //! The light of one randomisation in one waveband [J m-2 of ground].
 struct Tally {
     std::vector<Budget> sources;
-    std::vector<double> groups;  //!< absorbed light per group of the mesh
+    std::vector<double> groups;  //!< light absorbed by each group of the mesh
     std::vector<double>
-        layers{};  //!< light that leaves absorb, lowest layer first
-    //! The light of pieces of leaves by source, if there are pieces.
+        layers{};  //!< light absorbed by leaves, lowest layer first
+    //! The light of pieces of leaves by source; empty without pieces.
     std::vector<LeafLight> leaf_light{};
-    //! The light absorbed through the faces of leaves: the corners of a face
+    //! The light absorbed through each side of leaves. The corners of a face
     //! are counter-clockwise seen from its adaxial (upper) side.
     double adaxial = 0;
     double abaxial = 0;
-    //! The light by part and source: the adaxial and the abaxial side of each
-    //! fixed object, then leaves of each component if there are several.
+    //! The light [part][source]. Parts are the adaxial and the abaxial side of
+    //! each fixed object, followed by the leaves of each component if there are
+    //! several.
     std::vector<std::vector<double>> parts{};
-    std::uint64_t rays = 0;  //!< number of rays to first hits
+    std::uint64_t rays = 0;  //!< number of rays up to first hits
     //! The number of rays of scattered light.
     std::uint64_t next_rays = 0;
-    //! The least errors that the paths allow, shared by all randomisations of a
-    //! simulation.
+    //! Lower bounds on errors set by the number of paths, shared by all
+    //! randomisations of a simulation.
     std::shared_ptr<const Resolution> resolution{};
 
     //! Returns the budget of all sources together.
@@ -88,7 +90,7 @@ struct Tally {
         return sum;
     }
 
-    //! Returns the light that leaves absorb, from all sources.
+    //! Returns the light from all sources that leaves absorb.
     double leaves() const { return budget().leaves; }
 };
 

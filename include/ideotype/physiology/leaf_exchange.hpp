@@ -5,34 +5,34 @@
 
 namespace ideotype {
 
-//! The exchange of a point of a leaf with the air, per area of leaf. The
-//! derivatives are those in absorbed PPFD at the temperature and the CO2 within
-//! the leaf that it has.
+//! The exchange between a point on a leaf and the air, per leaf area. The
+//! derivatives are with respect to absorbed PPFD, at constant leaf temperature
+//! and constant CO2 inside the leaf.
 struct LeafExchange {
-    Expansion net;            //!< assimilation [umol m-2 s-1]
-    Expansion transpiration;  //!< [mmol m-2 s-1]; negative if dew falls
-    double conductance = 0;   //!< of the stomata for vapour [mol m-2 s-1]
+    Expansion net;            //!< net assimilation [umol m-2 s-1]
+    Expansion transpiration;  //!< [mmol m-2 s-1]; negative: dew
+    double conductance = 0;   //!< stomatal conductance for vapour [mol m-2 s-1]
     double temperature = 0;   //!< temperature of the leaf [deg C]
-    double sensible = 0;      //!< heat [W m-2]
-    double warmer = 0;        //!< than the air [K]
+    double sensible = 0;      //!< sensible heat [W m-2]
+    double warmer = 0;        //!< leaf minus air temperature [K]
 };
 
-//! energy_balance() to some 0.01 deg C at a fraction of its cost, for the many
-//! points of a canopy. Temperature, stomata and assimilation are found together
-//! from those of the air, in sweeps that end when nothing moves any more. Below
-//! the temperature at which enzymes fail there is one balance, since a warmer
-//! leaf emits more, heats the air more and evaporates more. Where leaves are
-//! warmer, where the humidity is too low for stomata of Ball and Berry to have
-//! one conductance, and where sweeps do not end, it is energy_balance() itself.
-//! @param like a point in about the same light and air, to begin with, and how
-//! much warmer than its air it is [K]; sweeps are fewer then
+//! Approximates energy_balance() to about 0.01 deg C at a fraction of its cost,
+//! for the many points of a canopy. Temperature, stomata and assimilation start
+//! from their values at air temperature and are updated in turn, in sweeps,
+//! until they converge. Below the temperature at which enzymes fail there is
+//! only one balance, since a warmer leaf emits more, heats the air more and
+//! evaporates more. energy_balance() is called instead if leaves are warmer
+//! than that, if the humidity is too low for a unique conductance in the
+//! Ball-Berry model, or if sweeps do not converge.
+//! @param like solution for a point in similar light and air, used with its
+//! temperature difference as the starting point to save sweeps; null: none
 LeafExchange leaf_exchange(const ThermalLeaf& leaf,
                            const LeafSurroundings& around,
                            const LeafExchange* like = nullptr);
 
-//! Returns the exchange of a leaf that has the temperature of the air and no
-//! boundary layer.
-//! @param net assimilation, whatever it follows from [umol m-2 s-1]
+//! Returns the exchange of a leaf at air temperature without a boundary layer.
+//! @param net net assimilation from any model [umol m-2 s-1]
 LeafExchange exchange_at_air_temperature(const Stomata& stomata,
                                          const LeafSurroundings& around,
                                          const Expansion& net);

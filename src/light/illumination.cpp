@@ -17,8 +17,8 @@ bool is_up(const TimeStep& step) {
     return step.sun.zenith < 90;
 }
 
-//! Returns the dates in the middles of equal parts of a series; all dates, if
-//! there are no more.
+//! Returns the middle dates of equal parts of a series, or all dates if there
+//! are no more than `count`.
 std::vector<Date> dates_of_suns(const LightSeries& series, int count) {
     const std::vector<Date> all = series.dates();
     const auto n = static_cast<std::size_t>(count);
@@ -29,7 +29,7 @@ std::vector<Date> dates_of_suns(const LightSeries& series, int count) {
     return dates;
 }
 
-//! Returns, for each instant, the instant of the sun that represents it.
+//! Returns, for each instant, the instant that provides its sun position.
 std::vector<std::size_t> instants_of_suns(const LightSeries& series,
                                           int count) {
     const std::vector<Date> dates = dates_of_suns(series, count);
@@ -80,8 +80,8 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
         const SunPosition& position = steps[i].sun;
         return SunPosition{position.zenith, position.azimuth - row_direction};
     };
-    // Adds one source for each sun that has light; returns the source of each
-    // instant.
+    // Adds one light source per sun position with light of this part; returns
+    // the index of the source of each instant.
     const auto add = [&](double Irradiance::*part, const auto& source_of) {
         std::vector<double> energy(steps.size());
         for (std::size_t i = 0; i < steps.size(); ++i)
@@ -106,7 +106,7 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
     });
     if (sky_model == SkyModel::clear || skies == Skies::each) {
         result.sky_of = add(&Irradiance::diffuse, [&](std::size_t i) {
-            // Without sun there is no clear sky.
+            // A clear sky requires a sun above the horizon.
             return Source{
                 std::nullopt, 0,
                 SkySampler(is_up(steps[i]) ? SkyRadiance{sky_model, sun(i)}

@@ -15,8 +15,8 @@ double count(const std::vector<Tally>& tallies) {
     return static_cast<double>(tallies.size());
 }
 
-//! Returns the resolution of all tallies together, or an empty resolution if
-//! they were not simulated.
+//! Returns the combined resolution of all tallies, or an empty one if they were
+//! not simulated.
 Resolution resolution_of(const std::vector<Tally>& tallies) {
     Resolution all;
     const Resolution* last = nullptr;
@@ -32,16 +32,16 @@ Estimate over(const std::vector<Tally>& tallies, const auto& figure) {
     return estimate(mapped(tallies, figure));
 }
 
-//! Returns the estimate of a figure to which a path of any source may add a
-//! part of its energy.
+//! Returns the estimate of a figure to which a path of any source may
+//! contribute the fraction `part` of its energy.
 Estimate over(const std::vector<Tally>& tallies, const Resolution& resolution,
               double part, const auto& figure) {
     return at_least(over(tallies, figure),
                     part * resolution.largest_path() / count(tallies));
 }
 
-//! Returns the estimate of a weighted sum over sources, to which a path may add
-//! a part of its energy.
+//! Returns the estimate of a weighted sum over sources, to which a path may
+//! contribute the fraction `part` of its energy.
 Estimate weighted(const std::vector<Tally>& tallies,
                   const Resolution& resolution,
                   const std::vector<double>& weights, double part,
@@ -91,7 +91,7 @@ BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
                      [](const Budget& b) { return b.leaves - b.unscattered; })};
 }
 
-//! The light of some instants, as weights of the sources.
+//! Light of selected instants as a weighted sum over sources.
 struct Part {
     explicit Part(std::size_t sources) : weights(sources) {}
 

@@ -41,13 +41,13 @@ Resolution resolution_of(const RayScene& scene,
     result.path_energy = std::move(path_energy);
     result.groups.resize(groups.size());
     result.layers.resize(layers.count);
-    // Light ends in groups that absorb, in soil that absorbs, or, if a surface
+    // Light ends in absorbing groups, in absorbing soil or, if any surface
     // scatters light, in the sky.
     bool scatters = optics.soil_albedo > 0;
     const double soil_keeps = 1 - optics.soil_albedo;
     struct Kind {
         std::size_t absorbing = 0;  //!< number of absorbing groups
-        double keeps = 0;  //!< largest part of light that a group absorbs
+        double keeps = 0;           //!< largest fraction that a group absorbs
     } leaves, organs, objects;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const Interval heights = scene.heights(g);
@@ -69,7 +69,7 @@ Resolution resolution_of(const RayScene& scene,
     const std::size_t ends = leaves.absorbing + organs.absorbing +
                              objects.absorbing + (soil_keeps > 0 ? 1 : 0) +
                              (scatters ? 1 : 0);
-    // A part is open if light can end there, and could have ended elsewhere.
+    // A figure is open if light can end there but could also end elsewhere.
     const auto is_open = [ends](std::size_t own) {
         return own > 0 && ends > own;
     };

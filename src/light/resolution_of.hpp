@@ -10,8 +10,8 @@
 
 namespace ideotype {
 
-//! Returns the resolution of a scene: the dependence of figures on paths of
-//! light, and the energy of a path of each source.
+//! Returns the resolution of a scene: how much one path can change each figure,
+//! and the energy of a path of each source.
 Resolution resolution_of(const RayScene& scene,
                          const std::vector<Group>& groups, const Optics& optics,
                          const Layers& layers, std::vector<double> path_energy);

@@ -53,9 +53,9 @@ SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
 
 namespace {
 
-//! The smallest cosine between a leaf's normal and the sun. A hit of a leaf
-//! edge-on to the sun would stand for an infinite leaf area; this bound makes
-//! hits miss less than a thousandth of the leaf area.
+//! The smallest cosine between a leaf's normal and the sun that is counted. A
+//! hit on a leaf edge-on to the sun would represent an infinite leaf area. With
+//! this bound, hits miss less than a thousandth of the leaf area.
 constexpr double least_cosine = 1e-3;
 
 }  // namespace
@@ -116,8 +116,8 @@ SunlitReport report(const SunlitFractions& sunlit,
                     const SeriesIllumination& illumination) {
     const LightSeries& series = illumination.series;
     IDEOTYPE_EXPECT(sunlit.steps.size() == illumination.light.sources.size());
-    // Returns a weighted mean over steps by randomisation, which is exact
-    // without any sun.
+    // Returns a weighted mean over steps by randomisation. Without any sun, the
+    // mean and its error are exactly 0.
     const auto mean = [&](const std::vector<std::size_t>& steps,
                           const auto& weight,
                           std::vector<double>& randomisations) {

@@ -22,10 +22,10 @@ namespace ideotype {
 
 namespace {
 
-//! Finds the first hits of one source.
+//! Computes the first hits of one source.
 struct SourceRun {
-    //! A function of a randomisation's first hits and a number uniform in [0,
-    //! 1).
+    //! Receives the index and the first hits of a randomisation, and a number
+    //! uniform in [0, 1).
     using Use = std::function<void(std::size_t, const FirstHits&, double)>;
 
     const RayScene& scene;
@@ -86,10 +86,10 @@ struct SourceRun {
     }
 };
 
-//! The number of nets of scattered light that are reserved for each band.
+//! The number of nets reserved for the scattered light of each band.
 constexpr std::uint32_t nets_of_band = 1u << 26;
 
-//! Follows the light of one band on its way from surface to surface.
+//! Traces the light of one band from surface to surface.
 struct BandRun {
     BandRun(const Counted& counted, const Subject& subject, std::size_t number,
             const Workload& work, const std::vector<Launcher>& launchers,
@@ -121,14 +121,15 @@ struct BandRun {
     std::uint32_t first_net;
     Tracer tracer;
     bool has_leaf_light;
-    std::vector<double> of_hit, of_path;  //!< energies by source [J m-2]
-    std::vector<double> scale;            //!< energy over that of first hits
-    double from_soil = 1;   //!< scale for light that soil sends into a plot
-    double most_paths = 0;  //!< most paths of a randomisation
+    //! Energies of a first hit and of a path, by source [J m-2].
+    std::vector<double> of_hit, of_path;
+    std::vector<double> scale;  //!< energy in the band relative to first hits
+    double from_soil = 1;       //!< factor for light from soil into a plot
+    double most_paths = 0;      //!< largest number of paths in a randomisation
     LeafSums leaf_sums{};
 };
 
-//! Returns whether the light of each source is the sum of its parts, to
+//! Returns whether the light of each source equals the sum of its parts, to
 //! rounding.
 bool is_balanced(const Tally& tally) {
     return std::all_of(tally.sources.begin(), tally.sources.end(),
@@ -153,7 +154,7 @@ std::vector<Launcher> launchers_of(const Subject& subject) {
     return launchers;
 }
 
-//! Follows the light of all bands in all randomisations.
+//! Traces the light of all bands in all randomisations.
 class Transport {
   public:
     Transport(const Subject& subject, const Workload& work, int randomisations,
@@ -171,7 +172,8 @@ class Transport {
 
     BandTallies run() && {
         if (sources_.empty()) return std::move(tallies_);
-        // The number of randomisations simulated together limits memory.
+        // The number of randomisations simulated together is chosen to limit
+        // memory.
         double most_paths = 0;
         for (const BandRun& band : bands_) most_paths += band.most_paths;
         const auto together = static_cast<std::size_t>(
@@ -183,8 +185,8 @@ class Transport {
     }
 
   private:
-    //! The number of paths of a band and a randomisation that are kept before
-    //! they are followed.
+    //! The number of paths that are collected per band and randomisation before
+    //! they are traced.
     static constexpr std::size_t room = 1 << 18;
 
     Tally empty_tally(const BandRun& band) const {
@@ -234,8 +236,8 @@ class Transport {
             .find(hits, static_cast<int>(all_), first, last, arrive);
     }
 
-    //! Follows the kept paths of a band and a randomisation to their ends.
-    //! @param source the last source of the light that they carry
+    //! Traces the collected paths of a band and a randomisation to their ends.
+    //! @param source index of the last source that contributed to the paths
     void follow(std::size_t b, std::size_t r, std::uint32_t source) {
         Randomness numbers = randomness_;
         numbers.first_randomisation += static_cast<std::uint32_t>(r);
@@ -247,8 +249,8 @@ class Transport {
                            tallies_[b][r], band.leaf_sums);
     }
 
-    //! Notes the largest energy that one path can carry to each surface, from
-    //! the largest of all randomisations.
+    //! Computes the resolution from the largest energy that one path of each
+    //! source carries, over all randomisations.
     void note_resolution(std::size_t b) {
         const BandRun& band = bands_[b];
         std::vector<double> largest = band.of_hit;
@@ -276,7 +278,8 @@ class Transport {
     std::vector<Launcher> launchers_ = launchers_of(subject_);
     std::vector<BandRun> bands_;
     BandTallies tallies_;
-    std::size_t first_ = 0;  //!< first of the randomisations simulated together
+    //! First of the randomisations that are simulated together.
+    std::size_t first_ = 0;
     //! Scattered paths [band][randomisation].
     std::vector<std::vector<std::vector<ScatteredPath>>> paths_;
 };

@@ -11,10 +11,10 @@ namespace ideotype {
 
 namespace {
 
-//! The number of points that a depth buffer handles together, needed or not.
+//! The number of points that a depth buffer processes together, used or not.
 constexpr int width = 8;
 
-//! The number of points of a pixel for which depth buffers have room.
+//! The number of points per pixel for which a depth buffer has space.
 constexpr int room = 2 * width;
 
 }  // namespace
@@ -41,7 +41,7 @@ double cost_of_drawing(const RayScene& scene, const glm::dvec3& direction,
     const double groups = std::ceil(randomisations * fine / width);
     const double triangles =
         2. * static_cast<double>(scene.surfaces().faces.size());
-    // Areas are as seen along the light, to which leaves turn half of their
+    // Areas are projected along the light; on average a leaf shows half its
     // area.
     const double pixel_area =
         scene.ground_area() * std::abs(direction.z) / pixels;

@@ -10,26 +10,28 @@
 
 namespace ideotype {
 
-//! The times that parts of a simulation take on a usual processor [us]. They
-//! are constants, so that choices by them never depend on a clock.
+//! The times of the parts of a simulation on a typical processor [us]. They are
+//! constants, so that choices based on them never depend on a clock.
 struct Costs {
-    static constexpr double ray = 0.5;  //!< a ray to the surface that it meets
-    static constexpr double point = 0.02;  //!< one more point in a depth buffer
+    //! A ray up to the surface that it meets.
+    static constexpr double ray = 0.5;
+    //! One additional point in a depth buffer.
+    static constexpr double point = 0.02;
 };
 
-//! Returns the lattice for first hits of a beam in a number of randomisations.
+//! Returns the lattice for the first hits of a beam in several randomisations.
 BeamLattice lattice_of(const RayScene& scene, const glm::dvec3& direction,
                        std::uint32_t first_hits, int randomisations);
 
-//! Returns the number of randomisations that should share a depth buffer.
+//! Returns the number of randomisations that should share one depth buffer.
 std::size_t replicates_together(const BeamLattice& lattice);
 
-//! Returns the time that a depth buffer of all first hits of a beam takes [us].
+//! Returns the time to compute all first hits of a beam by depth buffers [us].
 double cost_of_drawing(const RayScene& scene, const glm::dvec3& direction,
                        std::uint32_t first_hits, int randomisations);
 
-//! Returns whether a depth buffer finds the first hits of a source in less time
-//! than rays. Only beams over periodic stands can be drawn.
+//! Returns whether a depth buffer computes the first hits of a source faster
+//! than rays. Only beams over periodic stands can be rasterised.
 bool is_drawn(const RayScene& scene, const Source& source,
               std::uint32_t first_hits, int randomisations);
 

@@ -11,7 +11,7 @@ namespace ideotype {
 
 namespace {
 
-//! A measure of the lengths of steps on the ground, as they are seen along the
+//! The metric that gives the lengths of steps on the ground as seen along the
 //! light.
 struct Measure {
     double xx, xy, yy;
@@ -30,8 +30,8 @@ Measure measure(const glm::dvec3& direction) {
     return {1 - less * x * x, -less * x * y, 1 - less * y * y};
 }
 
-//! Returns the lattice with the two shortest steps between its points
-//! (Lagrange's reduction).
+//! Replaces the steps of a lattice by its two shortest steps (Lagrange's
+//! reduction).
 BeamLattice reduced(BeamLattice lattice, const Measure& measure) {
     for (;;) {
         if (measure.squared(lattice.step_v) < measure.squared(lattice.step_u)) {
@@ -50,7 +50,8 @@ BeamLattice reduced(BeamLattice lattice, const Measure& measure) {
     }
 }
 
-//! The numbers of points in a pixel and the generators that spread them well.
+//! The numbers of points per pixel, each with the generator that distributes
+//! them well.
 constexpr std::array<std::pair<int, int>, 5> sublattices{
     {{1, 1}, {5, 2}, {7, 3}, {11, 3}, {13, 5}}};
 
@@ -78,7 +79,8 @@ BeamLattice beam_lattice(double period_x, double period_y, std::int64_t points,
     while (!is_coprime_to_fields(lattice.pixels)) ++lattice.pixels;
     BeamLattice best;
     double longest = -1;
-    // Multiples of the golden ratio spread these generators over all others.
+    // Multiples of the golden ratio distribute the tested generators evenly
+    // over all generators.
     constexpr int generators = 24;
     constexpr double golden = 0.6180339887498949;
     for (int i = 1; i <= generators; ++i) {

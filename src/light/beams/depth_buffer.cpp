@@ -8,7 +8,7 @@
 #include "ideotype/core/contract.hpp"
 
 // The loops below are compiled for several instruction sets; the program
-// chooses one at its start. All round each number alike.
+// selects one at its start. Rounding is identical in all of them.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define IDEOTYPE_FOR_WIDE_VECTORS \
@@ -29,18 +29,18 @@ struct Corner {
     double u, v, z;
 };
 
-//! The triangles that are drawn together. A point is inside if a (u - u0) + b
-//! (v - v0) >= 0 for all three edges. Faces with a common edge have equal
-//! numbers for the edge but for the sign, so that no light passes between the
+//! Triangles that are rasterised together. A point is inside a triangle if a (u
+//! - u0) + b (v - v0) >= 0 for all three edges. For two faces with a common
+//! edge these values differ only in sign, so that no light passes between the
 //! faces.
 struct Batch {
     using Numbers = std::array<double, batch>;
 
     std::array<Numbers, 3> u, v, z;                //!< corners
-    std::array<Numbers, 3> a, b, u0, v0, inverse;  //!< edges
+    std::array<Numbers, 3> a, b, u0, v0, inverse;  //!< edge coefficients
     Numbers least_u, most_u, least_v, most_v, least_z, most_z;
     Numbers slope_u, slope_v;  //!< slopes of the height
-    Numbers area;  //!< twice the area, positive if seen from its front
+    Numbers area;  //!< twice the area, positive if the front is visible
     std::array<std::uint32_t, batch> code;
     std::size_t count = 0;
 };
@@ -53,19 +53,19 @@ double greater(double a, double b) {
     return a > b ? a : b;
 }
 
-//! Returns a point j / n of a pixel, shifted on its torus.
+//! Returns the coordinate j / n within a pixel after a cyclic shift.
 float shifted(double shift, int j, int n) {
     const double at = shift + static_cast<double>(j) / n;
     return static_cast<float>(at - std::floor(at));
 }
 
-//! Rounds down without a call of the library.
+//! Rounds down without a library call.
 std::int64_t floored(double x) {
     const auto whole = static_cast<std::int64_t>(x);
     return whole - (static_cast<double>(whole) > x ? 1 : 0);
 }
 
-//! Fills in all numbers that follow from the corners.
+//! Computes all values that depend on the corners.
 IDEOTYPE_FOR_WIDE_VECTORS void set_up(Batch& t) {
     for (std::size_t i = 0; i < batch; ++i) {
         const double bu = t.u[1][i] - t.u[0][i], bv = t.v[1][i] - t.v[0][i];
@@ -89,7 +89,7 @@ IDEOTYPE_FOR_WIDE_VECTORS void set_up(Batch& t) {
         for (std::size_t i = 0; i < batch; ++i) {
             const double pu = t.u[e][i], pv = t.v[e][i];
             const double qu = t.u[f][i], qv = t.v[f][i];
-            // An edge begins at the same end in both of its faces.
+            // An edge is traversed in the same direction in both of its faces.
             const bool is_other = (qu < pu) | ((qu == pu) & (qv < pv));
             const double sign =
                 (t.area[i] > 0 ? 1. : -1.) * (is_other ? -1. : 1.);
@@ -104,8 +104,8 @@ IDEOTYPE_FOR_WIDE_VECTORS void set_up(Batch& t) {
     }
 }
 
-//! The numbers of a triangle at the points of a pixel minus those at the
-//! pixel's corner, by lane.
+//! The edge values and the height of a triangle at the points of a pixel, by
+//! lane, minus the values at the pixel's corner.
 struct alignas(32) Lanes {
     DepthBuffer::Floats edge0, edge1, edge2, height;
 };
@@ -126,7 +126,7 @@ IDEOTYPE_FOR_WIDE_VECTORS void draw_batch(const Batch& t, const Target& target,
     using Floats = DepthBuffer::Floats;
     const std::size_t groups = lanes.size();
     for (std::size_t i = 0; i < t.count; ++i) {
-        // Light only grazes a triangle without area.
+        // Light only grazes a triangle without projected area.
         if (t.area[i] == 0) continue;
         const double a0 = t.a[0][i], a1 = t.a[1][i], a2 = t.a[2][i];
         const double b0 = t.b[0][i], b1 = t.b[1][i], b2 = t.b[2][i];
@@ -145,12 +145,12 @@ IDEOTYPE_FOR_WIDE_VECTORS void draw_batch(const Batch& t, const Target& target,
         const Floats most_z = static_cast<float>(t.most_z[i]) + Floats{};
         const DepthBuffer::Codes code =
             (t.code[i] + (t.area[i] > 0 ? 1u : 0u)) + DepthBuffer::Codes{};
-        // The largest growth of an edge's number within a pixel.
+        // The largest increase of an edge value within a pixel.
         const double most0 = greater(0, a0) + greater(0, b0);
         const double most1 = greater(0, a1) + greater(0, b1);
         const double most2 = greater(0, a2) + greater(0, b2);
-        // A pixel is examined if it may hold a point; the slack lets rounding
-        // only add pixels.
+        // A pixel is examined if it may contain a point. With the slack,
+        // rounding can only add pixels.
         constexpr double slack = 1e-6;
         const std::int64_t first_u = floored(t.least_u[i] - slack);
         const std::int64_t last_u = floored(t.most_u[i] + slack);
@@ -248,7 +248,7 @@ DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
       lanes_((shifts.size() * per_pixel_ + width - 1) / width * width) {
     IDEOTYPE_EXPECT(scene.boundary() == Boundary::periodic);
     IDEOTYPE_EXPECT(direction.z < 0 && !shifts.empty());
-    // Spare lanes have no place.
+    // Spare lanes contain no point.
     const Floats nowhere = std::numeric_limits<float>::quiet_NaN() + Floats{};
     places_.assign(lanes_ / width, {nowhere, nowhere});
     std::size_t lane = 0;
@@ -261,7 +261,7 @@ DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
             places.u[lane % width] = shifted(shift.x, j, lattice.fine);
             places.v[lane % width] = shifted(shift.y, v, lattice.fine);
         }
-    // A face on the soil hides the soil.
+    // Just below the soil, so that a face on the soil hides it.
     const float ground = std::nextafter(static_cast<float>(scene.soil()), -1.f);
     points_.assign(static_cast<std::size_t>(lattice.pixels) * places_.size(),
                    {ground + Floats{}, Triangle::soil + Codes{}});

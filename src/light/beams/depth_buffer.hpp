@@ -12,14 +12,14 @@
 
 namespace ideotype {
 
-//! Finds the faces that parallel light meets first in a periodic stand, at the
-//! points of shifted lattices, one lattice for each randomisation. Faces are
+//! Computes the faces that parallel light meets first in a periodic stand, at
+//! the points of shifted lattices, one lattice per randomisation. Faces are
 //! projected along the light onto the ground. The projection repeats with the
-//! cell, so each face is drawn once, and each point keeps the highest face:
-//! heights do not change if a face is shifted by periods. This is exact for any
-//! overhang and any number of wraps. Edges belong to the faces on both of their
-//! sides. Of faces at equal height the first in the mesh is seen; soil is seen
-//! where there is no face.
+//! cell, so each face is rasterised once, and each point stores the highest
+//! face, because shifting a face by periods does not change its height. This is
+//! exact for any overhang and any number of wraps. An edge belongs to the faces
+//! on both of its sides. Of faces at equal height the first in the mesh is
+//! visible; where there is no face, the soil is visible.
 class DepthBuffer {
   public:
     //! A visible triangle of the scene's surfaces with its visible side.
@@ -35,10 +35,10 @@ class DepthBuffer {
         static constexpr std::uint32_t soil = ~std::uint32_t{0};
     };
 
-    //! Draws all surfaces.
+    //! Rasterises all surfaces.
     //! @param direction direction of the light, downwards
     //! @param shifts shifts of the lattices, in [0, 1) of a pixel
-    //! @param pose number of the pose of moving objects
+    //! @param pose orientation index of moving objects
     DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
                 const BeamLattice& lattice,
                 const std::vector<glm::dvec2>& shifts, std::uint32_t pose = 0);
@@ -59,23 +59,23 @@ class DepthBuffer {
         return points_[i / width].height[i % width];
     }
 
-    //! Returns the place at which light meets the surface, in any of the cells
-    //! [m]. The height of a place on the soil is only rounding.
+    //! Returns the point at which light meets the surface, in any of the cells
+    //! [m]. On the soil, its height is only rounding error.
     glm::dvec3 position(std::size_t randomisation, std::size_t point) const;
 
-    //! The number of points that vectors handle together. Vectors of any width
-    //! round each number alike.
+    //! The number of points processed as one vector. The width does not affect
+    //! rounding.
     static constexpr std::size_t width = 8;
     using Floats = float __attribute__((vector_size(32)));
     using Codes = std::uint32_t __attribute__((vector_size(32)));
 
-    //! The visible triangles at the points of a vector.
+    //! The visible triangles at the points of one vector.
     struct alignas(32) Points {
         Floats height;
         Codes code;
     };
 
-    //! The positions of a vector's points in a pixel, in [0, 1).
+    //! The positions of a vector's points within a pixel, in [0, 1).
     struct alignas(32) Places {
         Floats u, v;
     };
@@ -91,8 +91,8 @@ class DepthBuffer {
     std::size_t per_pixel_;
     std::size_t lanes_;  //!< number of points of all randomisations in a pixel,
                          //!< with spare ones
-    std::vector<Places> places_;  //!< positions, by lane / width
-    std::vector<Points> points_;  //!< triangles by [pixel][lane / width]
+    std::vector<Places> places_;  //!< positions [lane / width]
+    std::vector<Points> points_;  //!< visible triangles [pixel][lane / width]
 };
 
 }  // namespace ideotype

@@ -11,27 +11,28 @@
 
 namespace ideotype {
 
-//! The place at which light of a source first meets a surface or the sky.
+//! The point where light of a source first meets a surface or the sky.
 struct FirstHit {
     std::uint32_t group;     //!< group, soil or sky, as in Hit
     std::uint32_t triangle;  //!< triangle of the scene's surfaces, if any
-    float height;            //!< height of the place [m]
-    bool is_adaxial;         //!< the side of the face
-    bool is_direct;          //!< whether light is straight from the source
+    float height;            //!< height of the point [m]
+    bool is_adaxial;         //!< whether the adaxial side is hit
+    bool is_direct;          //!< whether light comes directly from the source
     double energy;           //!< arriving energy [J m-2 of ground]
 };
 
 //! The first hits of one source in one randomisation, from a depth buffer or
 //! from rays. Their energies sum to the energy that enters. Consecutive hits
-//! are near each other: by x in a depth buffer, and by blocks of the stand.
+//! are close together: hits of a depth buffer are ordered by x, hits of rays by
+//! blocks of the stand.
 class FirstHits {
   public:
-    //! Takes the hits of a randomisation from a beam's depth buffer.
+    //! Extracts the hits of a randomisation from a beam's depth buffer.
     //! @param scene,buffer objects that must outlive this one
     FirstHits(const RayScene& scene, const DepthBuffer& buffer,
               std::size_t randomisation, double energy);
 
-    //! Follows a number of rays of equal energy.
+    //! Traces a number of rays with equal energies.
     FirstHits(const RayScene& scene, const Launcher& launcher,
               PathSampler& sampler, std::uint32_t rays, double energy);
 
@@ -43,7 +44,7 @@ class FirstHits {
     std::size_t size() const { return hits_.size(); }
     const FirstHit& operator[](std::size_t i) const { return hits_[i]; }
 
-    //! Returns point and normal of a hit that is not the sky.
+    //! Returns position and normal of a hit that is not the sky.
     Hit at(std::size_t i) const;
 
   private:
@@ -53,7 +54,7 @@ class FirstHits {
     const DepthBuffer* buffer_ = nullptr;
     std::size_t randomisation_ = 0;
     std::vector<FirstHit> hits_;
-    std::vector<Hit> points_;  //!< points of hits that rays found
+    std::vector<Hit> points_;  //!< positions of hits, if found by rays
 };
 
 }  // namespace ideotype

@@ -22,7 +22,7 @@ std::uint32_t spread(std::uint32_t x) {
 
 std::vector<std::uint32_t> order_by_place(
     const RayScene& scene, const std::vector<glm::dvec3>& points) {
-    unsigned bits = 1;  // bits of each coordinate's number
+    unsigned bits = 1;  // bits per coordinate
     while (bits < 8 && std::size_t{1} << (3 * bits) < points.size()) ++bits;
     const bool is_periodic = scene.boundary() == Boundary::periodic;
     const glm::dvec3 all{is_periodic ? scene.period_x() : scene.box().upper.x,

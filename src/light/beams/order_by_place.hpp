@@ -8,9 +8,9 @@
 
 namespace ideotype {
 
-//! Returns an order of points of a scene in which neighbours are near each
-//! other: by blocks of the cell or the plot, a few per point, in Morton's
-//! order, in which near blocks have near numbers.
+//! Returns an order of the points of a scene in which neighbours are close
+//! together. The cell or plot is divided into blocks, a few per point, which
+//! are visited in Morton order.
 std::vector<std::uint32_t> order_by_place(
     const RayScene& scene, const std::vector<glm::dvec3>& points);
 

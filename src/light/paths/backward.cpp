@@ -14,7 +14,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether a surface sees the sky, on the side of a normal.
+//! Returns whether a surface sees the sky on the side of a normal.
 bool sees_sky(const RayScene& scene, const glm::dvec3& position,
               const glm::dvec3& normal, const glm::dvec3& direction,
               std::uint32_t pose) {
@@ -81,7 +81,7 @@ void BackwardLight::add_level(const glm::dvec3& place, RandomStream& random,
     IDEOTYPE_EXPECT(light.size() == sources_.size());
     static constexpr glm::dvec3 up{0, 0, 1};
     for (const std::uint32_t pose : poses_) {
-        // A place without a surface lets through all of a beam.
+        // Without a surface at this point, the whole beam passes through.
         add_beams(scene_.placed(place), up, {1, 0}, 1, pose, light);
         follow(scene_.placed(place), up, 1, pose, random, light);
     }
@@ -91,8 +91,8 @@ void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
                            double weight, std::uint32_t pose,
                            RandomStream& random,
                            std::vector<double>& light) const {
-    // Directions follow Lambert's law and paths end with the right odds, so
-    // that all light that a path finds has equal weight.
+    // Directions follow Lambert's law and paths end with the matching
+    // probability, so that all light found by a path has equal weight.
     for (;;) {
         const double u = random.uniform();
         const glm::dvec3 d = lambertian(normal, u, random.uniform());

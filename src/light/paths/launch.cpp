@@ -29,7 +29,7 @@ void Launcher::add_portals(double soil_albedo) {
     for (const int axis : {0, 1})
         for (const bool is_upper : {false, true}) {
             const double side = (axis == 0 ? y : x) * z;
-            // A vertical face sees half of a uniform sky, and half of a uniform
+            // A vertical face sees half of a uniform sky and half of a uniform
             // soil.
             double lit = 0.5;
             if (source_.direction) {
@@ -87,8 +87,8 @@ PhotonPacket Launcher::enter(const Portal& portal, PathSampler& sampler,
             if (!is_lit({p.x - t * d.x, p.y - t * d.y, 0}, sampler)) return {};
         }
     }
-    // A packet starts outside, where there is no face, so that it can meet a
-    // leaf in the face of the box.
+    // A packet starts outside the box, where there is no face, so that it can
+    // hit a leaf that lies in the face of the box.
     const double back = scene_.clearance() / glm::dot(d, n);
     return {p - back * d, d, energy, portal.from == From::soil};
 }

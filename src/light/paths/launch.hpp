@@ -10,39 +10,38 @@
 
 namespace ideotype {
 
-//! Launches the light of one source into a scene. A periodic stand is lit
-//! through the top of its cell. An isolated plot is lit through its bounding
-//! box, by light straight from the source, through the top and the lit sides,
-//! and by light from the infinite soil around, through the bottom and all
-//! sides, without soil in the box's own shadow. Both are all light that enters,
-//! since light that has been in the box is followed until it is absorbed or
-//! lost to the sky, also over the soil outside.
+//! Launches the light of one source into a scene. In a periodic stand, light
+//! enters through the top of the cell. In an isolated plot, it enters through
+//! the bounding box: light directly from the source through the top and the
+//! sides that face it, and light from the infinite soil around the plot through
+//! the bottom and all sides. Soil in the shadow of the box is excluded. This is
+//! all the light that enters, because light that has been in the box is traced
+//! until it is absorbed or lost to the sky, also over the soil outside.
 class Launcher {
   public:
     Launcher(const RayScene& scene, const Source& source, double soil_albedo);
 
-    //! Returns the energy of all paths over the energy of the source. Paths
-    //! through the sides from a sky that is not uniform carry more or less than
-    //! an equal share, in proportion to the brightness of their part of the
-    //! sky.
+    //! Returns the energy of all paths divided by the energy of the source. If
+    //! a sky is not uniform, paths through the sides carry more or less than an
+    //! equal share, in proportion to the brightness of their part of the sky.
     double entering() const { return entering_; }
 
-    //! Returns the number of the pose of moving objects for this light.
+    //! Returns the orientation index of moving objects for this light.
     std::uint32_t pose() const { return source_.pose; }
 
-    //! Returns an entering packet, without energy if it comes from soil in the
-    //! box's shadow.
+    //! Returns an entering packet. Its energy is 0 if it comes from soil in the
+    //! shadow of the box.
     PhotonPacket launch(PathSampler& sampler, double energy) const;
 
   private:
     enum class From { source, soil };
 
-    //! A face of the box: at its lower or upper end along an axis.
+    //! A face of the box, at its lower or upper end along an axis.
     struct Portal {
         int axis;
         bool is_upper;
         From from;
-        double area;  //!< area of level ground with equal energy [m2]
+        double area;  //!< area of level ground that receives equal energy [m2]
     };
 
     void add_portals(double soil_albedo);

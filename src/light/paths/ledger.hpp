@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Sums by place, most of which are zero.
+//! Sums by index, most of which are zero.
 class SparseSums {
   public:
     void resize(std::size_t places) { sums_.resize(places); }
@@ -21,22 +21,22 @@ class SparseSums {
         sums_[place] += energy;
     }
 
-    //! Appends all sums and begins again.
+    //! Appends all nonzero sums to `parts` and clears them.
     void drain(std::vector<LeafLight::Part>& parts);
 
   private:
     std::vector<double> sums_;
-    std::vector<std::uint32_t> places_;  //!< places with a sum, by arrival
+    //! Indices of nonzero sums in order of arrival.
+    std::vector<std::uint32_t> places_;
 };
 
-//! The sums of the light of leaves in one randomisation by place.
+//! Sums of the light on leaves in one randomisation.
 struct LeafSums {
     SparseSums beam;
     std::vector<SparseSums> diffuse;  //!< sums by source
 };
 
-//! Numbers of the parts with light counted for each source, see
-//! Tally::parts.
+//! Indices of the parts for which light is tallied by source, see Tally::parts.
 struct PartNumbers {
     explicit PartNumbers(const std::vector<Group>& groups);
 
@@ -53,31 +53,32 @@ struct PartNumbers {
     std::uint32_t components = 0, objects = 0;
 };
 
-//! The scene, groups, layers and pieces that light is counted by.
+//! The scene, and the groups, layers and pieces by which light is tallied.
 struct Counted {
     const RayScene& scene;
     const std::vector<Group>& groups;
     const Layers& layers;
-    std::size_t pieces = 0;  //!< leading groups with light counted by place
+    std::size_t pieces = 0;  //!< number of leading groups tallied by piece
     PartNumbers parts{groups};
 };
 
-//! Counts the ends of the light of one source in one randomisation. Small parts
-//! are summed in two steps to limit their rounding errors.
+//! Tallies the light of one source in one randomisation by the place where it
+//! is absorbed. Small amounts are summed in two stages to limit rounding
+//! errors.
 class Ledger {
   public:
     //! @param counted,tally,leaf_sums objects that must outlive the ledger
     Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
            Tally& tally, LeafSums& leaf_sums);
 
-    //! Counts light at its first hit, which scatters part of it.
-    //! @param energy energy of the hit in the counted band
+    //! Tallies light at its first hit, where part of it is scattered.
+    //! @param energy energy of the hit in the tallied band
     void arrive(const FirstHit& hit, double energy, double sent_on);
 
-    //! Counts the energy that a surface or the sky keeps of scattered light.
+    //! Tallies the energy of scattered light that a surface or the sky absorbs.
     void keep(const Hit& hit, bool is_adaxial, double energy);
 
-    //! Adds all counted light to the tally, and returns the budget.
+    //! Adds all collected light to the tally and returns the budget.
     const Budget& close();
 
   private:
@@ -90,8 +91,8 @@ class Ledger {
     const Counted& counted_;
     Tally& tally_;
     Budget& budget_;
-    std::vector<double>* parts_ = nullptr;  //!< sums of parts, if there are any
-    LeafLight* leaf_light_ = nullptr;       //!< light of leaves, if asked for
+    std::vector<double>* parts_ = nullptr;  //!< sums of the parts, if any
+    LeafLight* leaf_light_ = nullptr;       //!< light of leaves, if requested
     SparseSums* beam_ = nullptr;
     SparseSums* diffuse_ = nullptr;
     Budget part_;

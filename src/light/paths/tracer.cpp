@@ -17,11 +17,11 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the energy that a surface keeps of a path, which continues with the
-//! rest. While the scattered part is a large share of the path's initial
-//! energy, the surface keeps exactly its absorptance. Instead of a small part,
-//! all or nothing is scattered, with the right odds. Both rules are unbiased
-//! and lose no energy.
+//! Returns the energy that a surface absorbs from a path, which continues with
+//! the rest. While the scattered part is a large share of the path's initial
+//! energy, the surface absorbs exactly its absorptance. When that part becomes
+//! small, either all or nothing is scattered, at random (Russian roulette).
+//! Both rules are unbiased and lose no energy.
 //! @param choice number uniform in [0, 1)
 double absorb_and_continue(ScatteredPath& path, double scattered,
                            double choice) {
@@ -83,7 +83,7 @@ void Tracer::arrive(const FirstHits& hits, const Arrival& how, Tally& tally,
     IDEOTYPE_EXPECT(how.path_energy > 0);
     const double count = std::max(1., std::ceil(all / how.path_energy - 1e-9));
     const double energy = all / count;
-    // Rounding must not lose the last path.
+    // Ensures that rounding does not lose the last path.
     std::size_t last = hits.size() - 1;
     while (sent_on[last] == 0) --last;
     double passed = 0, path = 0;

@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the hit on soil or sky that ends a way without faces.
+//! Returns the hit on soil or sky at the end of a ray that meets no face.
 Hit end_at(const glm::dvec3& point, const glm::dvec3& direction) {
     return {point, {0, 0, 1}, direction.z < 0 ? Hit::soil : Hit::sky};
 }
@@ -19,8 +19,8 @@ Hit travel_periodic(const RayScene& scene, glm::dvec3 p, const glm::dvec3& d,
                     std::uint32_t pose) {
     constexpr double never = std::numeric_limits<double>::infinity();
     // Rounding may hide a face at the very end of a segment or, as its image,
-    // at the very start of the next one. Both segments therefore reach a little
-    // over the seam.
+    // at the very start of the next one. Both segments therefore overlap
+    // slightly at the seam.
     const double seam = scene.clearance() / 2;
     double before = 0;
     const auto to_side = [](double x, double dx, double period) {
@@ -53,8 +53,8 @@ Hit travel_isolated(const RayScene& scene, const glm::dvec3& p,
     const Box box{lower - margin, upper + margin};
     const double to_soil = d.z < 0 ? std::max(0.0, (scene.soil() - p.z) / d.z)
                                    : std::numeric_limits<double>::infinity();
-    // The path from distant soil is too long for single precision: Embree
-    // follows it only from the bounding box on.
+    // A path from distant soil is too long for single precision, so Embree
+    // traces only the part inside the bounding box.
     Hit hit;
     if (const auto inside = clip(box, p, d)) {
         const double first = inside->first;

@@ -5,7 +5,7 @@
 
 namespace ideotype {
 
-//! A packet of light at a point of its path.
+//! A packet of light at a position on its path.
 struct PhotonPacket {
     glm::dvec3 position;
     glm::dvec3 direction;
@@ -13,10 +13,10 @@ struct PhotonPacket {
     bool is_scattered = false;  //!< whether it has met a surface
 };
 
-//! Returns the first face, soil or sky straight on from a point, at any
-//! distance. In a periodic stand, a path that leaves the cell continues at its
-//! opposite side; light that leaves an isolated plot finds only soil or sky.
-//! @param pose number of the pose of moving objects
+//! Returns the first face, soil or sky along a direction, at any distance. In a
+//! periodic stand, a ray that leaves the cell continues at the opposite side.
+//! Outside the box of an isolated plot, light meets only soil or sky.
+//! @param pose orientation index of moving objects
 Hit travel(const RayScene& scene, glm::dvec3 from, const glm::dvec3& direction,
            std::uint32_t pose = 0);
 

@@ -24,8 +24,8 @@ void require_no_error(RTCDeviceTy* device, const std::string& action) {
 
 namespace {
 
-//! @throws std::runtime_error also after a first device without memory, since a
-//! second one would wait for ever in TBB 2021.8.
+//! @throws std::runtime_error if creation fails. After a failure for lack of
+//! memory, creating a second device would block forever in TBB 2021.8.
 RTCDevice new_device(const std::string& settings) {
     RTCDevice device = rtcNewDevice(settings.c_str());
     if (!device) require_no_error(nullptr, "create a device");
@@ -65,8 +65,8 @@ std::vector<std::string> Device::supported_isas() {
 }
 
 std::string Device::library_version() {
-    // The version is that of the loaded library, which may differ from the
-    // headers.
+    // This is the version of the loaded library, which may differ from that of
+    // the headers.
     RTCDevice device = new_device("threads=1");
     const auto number = [&](RTCDeviceProperty property) {
         return rtcGetDeviceProperty(device, property);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Only this file, and a benchmark, depend on the version of Embree: queries of
-// version 4 have optional arguments in place of a context.
+// Only this file and a benchmark depend on the version of Embree. In version 4,
+// queries take optional arguments instead of a context.
 #if IDEOTYPE_EMBREE >= 4
 #include <embree4/rtcore.h>
 #else
@@ -14,9 +14,9 @@
 
 namespace ideotype {
 
-//! Requires that Embree has reported no error.
-//! @throws std::runtime_error otherwise, which is a fault of the machine and no
-//! Error of the evaluated plant.
+//! Throws if Embree has reported an error.
+//! @throws std::runtime_error, not Error, since the machine is at fault and not
+//! the evaluated plant.
 //! @param device device, or null after a failed creation
 void require_no_error(RTCDeviceTy* device, const std::string& action);
 

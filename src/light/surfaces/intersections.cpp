@@ -13,8 +13,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether a point is closer to a triangle than a clearance, apart from
-//! edges.
+//! Returns whether a point is within a clearance of a triangle's plane and its
+//! projection is inside the triangle.
 bool is_at(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
            const glm::dvec3& c, double clearance) {
     const glm::dvec3 u = b - a, v = c - a, p = point - a;
@@ -37,7 +37,7 @@ void RayScene::commit(const Device& device) {
 
 void RayScene::commit(const Device& device, Part& part) {
     part.scene = {rtcNewScene(device.device_), rtcReleaseScene};
-    // Robust mode keeps light from passing through common edges of faces.
+    // Robust mode prevents light from passing through common edges of faces.
     rtcSetSceneFlags(part.scene.get(), RTC_SCENE_FLAG_ROBUST);
     if (!part.face.empty()) attach_faces(device.device_, part);
     rtcCommitScene(part.scene.get());
@@ -106,9 +106,9 @@ bool RayScene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
     hit.group = surfaces_.face_group[face];
     hit.triangle = 2 * face + (query.hit.u + query.hit.v > 1 ? 1 : 0);
 
-    // The distance along the ray has single precision only, so the point is
-    // moved onto the plane through a corner that both triangles of the face
-    // share.
+    // Embree returns the distance along the ray in single precision, so the
+    // point is projected onto the plane through a corner that both triangles of
+    // the face share.
     const auto& corner = part->corners[4 * std::size_t{query.hit.primID} + 1];
     const double t = query.ray.tfar;
     const glm::dvec3 p = origin + t * direction;

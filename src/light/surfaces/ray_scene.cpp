@@ -17,8 +17,8 @@ namespace ideotype {
 
 namespace {
 
-//! The largest distance of a vertex from the origin [m] and the most faces of a
-//! scene: larger numbers mean wrong input.
+//! The largest distance of a vertex from the origin [m] and the largest number
+//! of faces of a scene; larger values indicate wrong input.
 constexpr double farthest = 1e7;
 constexpr std::size_t most_faces = 100'000'000;
 
@@ -29,7 +29,8 @@ Interval interval(const std::vector<glm::dvec3>& vertices,
     return all;
 }
 
-//! The whole periods by which an extent must be shifted to touch [0, period].
+//! The range of whole periods by which an extent can be shifted to touch [0,
+//! period].
 struct Shifts {
     long first;
     long last;
@@ -38,8 +39,8 @@ struct Shifts {
 };
 
 Shifts shifts_into(const Interval& extent, double period) {
-    // A face that only touches the boundary is kept on both sides, so that no
-    // rounding can open a slit there.
+    // A face that only touches the boundary is stored on both sides, so that
+    // rounding cannot open a gap there.
     const double margin = 1e-6 * period;
     return {static_cast<long>(std::ceil((-margin - extent.upper) / period)),
             static_cast<long>(
@@ -65,7 +66,7 @@ double wrapped_into(double x, double period) {
     return w < period ? w : 0;
 }
 
-//! Returns the pose of a group, which is 0 for unknown groups.
+//! Returns the orientation index of a group; 0 for unknown groups.
 std::uint32_t pose_of(const Mesh& mesh, std::uint32_t group) {
     return group < mesh.groups.size() ? mesh.groups[group].pose : 0;
 }
@@ -104,8 +105,8 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
     IDEOTYPE_EXPECT(mesh.face_group.size() == mesh.faces.size());
     check_vertices(mesh);
     const std::vector<double> areas = face_areas(mesh);
-    // The reserve usually has room for images of faces that reach over the
-    // edge.
+    // The reserved memory usually suffices for the images of faces that extend
+    // over the edge.
     constexpr double images = 1.5;
     const auto expected = static_cast<std::size_t>(
         images * static_cast<double>(mesh.faces.size()));
@@ -205,8 +206,8 @@ void Surfaces::add(const std::array<std::uint32_t, 4>& face,
         return length > 0 ? n / length : glm::dvec3(0);
     };
     normals.push_back(normal(0, 1, 3));
-    // Rounding may put a hit of a face with three corners into its second half,
-    // which has no area.
+    // By rounding, a hit on a triangular face may be in its second half, which
+    // has no area.
     normals.push_back(face[2] == face[3] ? normals.back() : normal(2, 3, 1));
 }
 

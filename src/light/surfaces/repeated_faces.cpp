@@ -22,7 +22,7 @@ std::uint64_t mixed(std::uint64_t x) {
 }
 
 std::uint64_t hash_of(const glm::dvec3& v) {
-    // Adding zero makes both zeros equal.
+    // Adding zero makes positive and negative zero equal.
     const auto bits = [](double x) {
         return std::bit_cast<std::uint64_t>(x + 0.0);
     };
@@ -46,8 +46,8 @@ Corners sorted_corners(const Mesh& mesh, std::size_t face) {
 std::vector<bool> repeated_faces(const Mesh& mesh) {
     const std::vector<std::uint64_t> hashes = mapped(mesh.vertices, hash_of);
 
-    // The table has the first face of each set of corners, by the sum of hashes
-    // of the corners.
+    // A hash table of the first face of each set of corners, indexed by the sum
+    // of the corners' hashes.
     constexpr std::uint32_t none = ~std::uint32_t{0};
     const std::size_t places = std::bit_ceil(2 * mesh.faces.size() + 1);
     std::vector<std::uint32_t> table(places, none);
@@ -57,7 +57,7 @@ std::vector<bool> repeated_faces(const Mesh& mesh) {
     std::vector<bool> repeated(mesh.faces.size());
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
         for (const std::uint32_t v : mesh.faces[f]) sums[f] += hashes[v];
-        // Faces of different poses do not repeat each other.
+        // Faces of different orientations do not repeat each other.
         if (moves) sums[f] += mixed(mesh.groups.at(mesh.face_group[f]).pose);
         std::size_t place = sums[f] & (places - 1);
         for (; table[place] != none; place = (place + 1) & (places - 1))

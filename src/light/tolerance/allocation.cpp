@@ -9,8 +9,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the amounts at which one more unit of cost reduces the variance by a
-//! rate r. With the law V = v (t / a)^q and the cost c of a unit of a,
+//! Returns the amounts at which one more unit of cost reduces the variance by
+//! r. With the law V = v (t / a)^q and the cost c per unit of a,
 //!
 //!     -dV/da = q v t^q / a^(q + 1) = r c,  so that
 //!     a = t (q v / (t r c))^(1 / (q + 1)).
@@ -50,7 +50,7 @@ double Law::at(double other) const {
 Amounts allocate(const ByOrigin<Law>& laws, const ByOrigin<double>& costs,
                  double variance) {
     IDEOTYPE_EXPECT(variance > 0);
-    // The variance grows with the rate.
+    // The variance increases with the rate.
     double lower = 1e-60, upper = 1e60;
     for (int i = 0; i < 60; ++i) {
         const double rate = std::sqrt(lower) * std::sqrt(upper);

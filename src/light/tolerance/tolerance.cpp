@@ -13,52 +13,54 @@ namespace ideotype {
 
 namespace {
 
-//! The fewest randomisations of a trial. With this number of them the error is
-//! known to a fifth.
+//! The smallest number of randomisations of a trial. With 16, the relative
+//! uncertainty of the error is a fifth.
 constexpr int trial_randomisations = 16;
 
-//! The number of the first randomisation of trials, which is beyond those of
-//! all results.
+//! The number of the first randomisation of trials, beyond the numbers that
+//! results use.
 constexpr std::uint32_t first_of_trials = 1u << 16;
 
-//! The fewest first hits on leaves from which a trial can estimate their light
-//! and its scatter. With this number of them their sum is known to an eighth.
+//! The smallest number of first hits on leaves from which a trial can estimate
+//! the light on leaves and its variance. With 64 hits, the relative uncertainty
+//! of their sum is an eighth.
 constexpr double fewest_hits = 64;
 
-//! The factor by which a result may have more work than a trial; if it has
-//! still more, another trial follows.
+//! The largest ratio between the work of a result and of its trial. If more
+//! work is needed, another trial follows.
 constexpr double longest_step = 8;
 
-//! The number of suns in a trial that draws some of them at random. The
-//! randomisations of all these suns together give the variance.
+//! The number of suns in a trial with rasterised beams, selected evenly over
+//! the day. The variance is estimated from the randomisations of all these suns
+//! together.
 constexpr std::size_t trial_suns = 4;
 
-//! The factors by which variances are multiplied if the light of pieces of
-//! leaves is needed for assimilation. Diffuse light has a larger factor than
-//! beams: it falls mostly on shaded leaves, which use light better. See
-//! tests/benchmark/README.md.
+//! The factors by which variances are multiplied if light by piece is needed
+//! for assimilation. The factor is larger for diffuse light than for beams,
+//! because diffuse light falls mostly on shaded leaves, which use light more
+//! efficiently. See tests/benchmark/README.md.
 constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
 
-//! Finds the workload that a tolerance asks for in one band.
+//! Computes the workload that a tolerance requires in one band.
 //!
-//! With amounts a of work for the origins o of scatter, see LightOrigin, the
-//! variance of the leaves' light in one randomisation is
+//! With amounts a of work for the origins o of variance, see LightOrigin, the
+//! variance of the light on leaves in one randomisation is
 //!
 //!     V(a) = sum_o v_o (t_o / a_o)^q_o,                                  (1)
 //!
-//! where a trial with amounts t has found the variances v; q is Law::power. A
-//! result of R randomisations with the mean light m has the tolerance e if
+//! where the variances v come from a trial with amounts t, and q is Law::power.
+//! A result of R randomisations with the mean light m meets the tolerance e if
 //!
 //!     V(a) / R <= (e m)^2,                                               (2)
 //!
-//! and allocate() finds the amounts that meet (2) at the least cost. The result
-//! may not use random numbers of trials, so trials cost extra time. They begin
-//! with the smallest work and grow until the result needs at most `step()`
-//! times the work of the last trial, when its laws are known well enough.
+//! and allocate() computes the amounts that meet (2) at the lowest cost. The
+//! result may not use random numbers of trials, so trials cost extra time. They
+//! begin with the least work and grow until the result needs at most `step()`
+//! times the work of the last trial; its laws are then sufficiently accurate.
 class Search {
   public:
-    //! Makes a search that keeps references to its arguments.
-    //! @param has_pieces whether the light of pieces of leaves is needed
+    //! Makes a search that stores references to its arguments.
+    //! @param has_pieces whether light by piece is needed
     Search(const Subject& subject, bool has_pieces, const Accuracy& accuracy,
            const Randomness& randomness)
         : subject_(subject),
@@ -78,9 +80,9 @@ class Search {
         Amounts amounts = least;
         for (;;) {
             try_out(work);
-            // No light can meet leaves.
+            // No light can reach leaves.
             if (!found_.is_open && !(found_.mean > 0)) return work;
-            // A trial that met hardly any leaves shows nothing of (1).
+            // A trial with hardly any hits on leaves does not determine (1).
             if (found_.is_open && found_.first_hits < fewest_hits) {
                 amounts = scaled(amounts, longest_step);
                 if (is_beyond(amounts)) {
@@ -90,7 +92,7 @@ class Search {
                 work = work_of(amounts, light_);
                 continue;
             }
-            // Either the trial decides, or another one follows.
+            // Either this trial is sufficient or another one follows.
             const Amounts enough =
                 costs_.cheapest(found_.laws, are_drawn_, least);
             const auto next = next_trial(enough, amounts, least);
@@ -107,24 +109,26 @@ class Search {
         }
     }
 
-    //! Returns whether more first hits would be needed than allowed.
+    //! Returns whether the tolerance needs more first hits than allowed.
     bool is_capped() const { return is_capped_; }
 
   private:
-    //! Returns the largest factor between the amounts of a trial and those of
-    //! the result. A trial may have more randomisations than the result.
+    //! Returns the largest ratio between the amounts of the result and of a
+    //! trial. A trial may use more randomisations than the result.
     double step() const {
         return longest_step * trials_ / accuracy_.randomisations;
     }
 
-    //! Returns the amounts of the next trial; nothing if the last one decides.
-    //! From the first trial in which that pays on, beams are drawn.
-    //! @param enough cheapest amounts by the last trial
+    //! Returns the amounts of the next trial, or nothing if the last one is
+    //! sufficient. Beams are rasterised from the first trial in which that
+    //! costs less.
+    //! @param enough cheapest amounts according to the last trial
     //! @param last amounts of the last trial
     std::optional<Amounts> next_trial(const Amounts& enough,
                                       const Amounts& last,
                                       const Amounts& least) {
-        // Drawn beams have another law, which so far is only guessed.
+        // Rasterised beams follow a different law, which is only estimated so
+        // far.
         if (!are_drawn_ && costs_.pays_to_draw(enough, least)) {
             are_drawn_ = true;
             return drawn_trial(costs_.cheapest(costs_.guess(), true, least));
@@ -132,7 +136,8 @@ class Search {
         if (are_drawn_ && enough[LightOrigin::beams] <=
                               longest_step / 2 * last[LightOrigin::beams])
             return std::nullopt;
-        // A trial that costs no more than the last one would not show more.
+        // A trial that costs no more than the last one would give no new
+        // information.
         const Amounts next = scaled(enough, 1 / step());
         if (costs_.cost(next, are_drawn_) <= costs_.cost(last, are_drawn_) ||
             is_beyond(next))
@@ -140,15 +145,15 @@ class Search {
         return are_drawn_ ? drawn_trial(enough) : next;
     }
 
-    //! Returns the amounts of a trial that draws beams, which takes about as
-    //! long with few points as with many.
+    //! Returns the amounts of a trial with rasterised beams. The time depends
+    //! little on the number of points.
     Amounts drawn_trial(const Amounts& enough) const {
         Amounts amounts = scaled(enough, 1 / step());
         amounts[LightOrigin::beams] = enough[LightOrigin::beams] / 2;
         return amounts;
     }
 
-    //! Returns the number of first hits in the first trial. No result has
+    //! Returns the number of first hits in the first trial. No result uses
     //! fewer, since each source needs at least one path.
     std::uint32_t fewest() const {
         std::uint32_t paths = fewest_paths;
@@ -165,8 +170,8 @@ class Search {
     }
 
     //! Returns amounts with the largest allowed number of first hits. Paths of
-    //! scattered light stay, because they are bounded too, and fewer paths
-    //! would each carry too much.
+    //! scattered light are not reduced: they are limited separately, and fewer
+    //! paths would each carry too much energy.
     Amounts capped(const Amounts& amounts) const {
         Amounts most_amounts = scaled(amounts, most() / first_hits_of(amounts));
         most_amounts[LightOrigin::scattered] =
@@ -198,13 +203,14 @@ class Search {
     int trials_;
     std::uint32_t trial_ = 0;
     bool is_capped_ = false;
-    bool are_drawn_ = false;  //!< whether beams are drawn, not found by rays
+    //! Whether beams are rasterised instead of traced.
+    bool are_drawn_ = false;
 
-    Findings found_;  //!< findings of the last trial
+    Findings found_;  //!< results of the last trial
     WorkCosts costs_{subject_, has_pieces_, accuracy_, trials_, found_};
 };
 
-//! Combines the workloads of bands, of which some are bounded.
+//! Combines the workloads of several bands, some of them bounded.
 class Demands {
   public:
     Demands(const Subject& subject, const Accuracy& accuracy,
@@ -226,7 +232,7 @@ class Demands {
 
     Workload work() const { return work_; }
 
-    //! Returns whether the limit of paths leaves the error of a band above the
+    //! Returns whether the path limit leaves the error of any band above the
     //! tolerance.
     bool are_unmet(const BandTallies& tallies) const {
         for (std::size_t b = 0; b < is_capped_.size(); ++b) {
@@ -239,7 +245,8 @@ class Demands {
     }
 
   private:
-    //! Returns true also for the first band if no band is bounded.
+    //! Returns whether a band is bounded; if no band is, the first one counts
+    //! as bounded.
     bool is_bounded(std::size_t b) const {
         const std::span<const Band> bands = subject_.bands;
         return bands[b].is_bounded ||
@@ -276,8 +283,9 @@ class Demands {
     const Subject& subject_;
     const Accuracy& accuracy_;
     Workload work_;
-    std::size_t reference_ = 0;    //!< the first bounded band
-    std::vector<bool> is_capped_;  //!< flags by band
+    std::size_t reference_ = 0;  //!< index of the first bounded band
+    //! Whether the path limit was reached, by band.
+    std::vector<bool> is_capped_;
 };
 
 }  // namespace

@@ -16,9 +16,9 @@ double squared(double x) {
     return x * x;
 }
 
-//! The factors by which the variance of a few suns is multiplied to get that of
-//! all suns: by the ratio of energies for independent first hits in proportion
-//! to energy, and by its root for lattices.
+//! Factors that convert the variance of a few suns to that of all suns. For
+//! independent first hits in proportion to energy, the factor is the ratio of
+//! energies; for lattices, the ratio of their square roots.
 struct Suns {
     Suns(const Illumination& light, const Workload& work) {
         double energy = 0, kept_energy = 0, roots = 0, kept_roots = 0;
@@ -63,9 +63,9 @@ Findings try_out(const Subject& subject, const Workload& work,
     }
     const double caught =
         all.sent_on > 0 ? (all.leaves - all.unscattered) / all.sent_on : 0;
-    // The variance has two parts: first hits, of which each surface
-    // scatters a constant part to leaves, and further scattering, in paths of
-    // all sources together.
+    // The variance has two parts: first hits, with the constant part that each
+    // surface scatters to leaves, and further scattering, in paths common to
+    // all sources.
     const Suns suns(light, work);
     Amounts amounts = amounts_of(work, light);
     amounts[LightOrigin::beams] *= suns.by_energy;
@@ -99,7 +99,7 @@ Findings try_out(const Subject& subject, const Workload& work,
                             (origin == LightOrigin::beams ? suns.by_root : 1);
         kept += light.sources[s].energy;
     }
-    // A lattice may suit omitted suns less well.
+    // The lattice may be less accurate for the omitted suns.
     constexpr double for_others = 1.3;
     if (suns.by_energy > 1) variance[LightOrigin::beams] *= for_others;
     variance[LightOrigin::scattered] =
@@ -109,9 +109,9 @@ Findings try_out(const Subject& subject, const Workload& work,
             (all.leaves - all.unscattered) / largest[LightOrigin::scattered];
     for (std::size_t o = 0; o < origins; ++o) {
         found.laws[o] = {std::max(1., amounts[o]), variance[o], 1};
-        // If each randomisation met leaves about once, randomisations may be
-        // equal by chance: the variance is at least that of one more hit in one
-        // of them.
+        // If each randomisation hit leaves only about once, randomisations may
+        // agree by chance. The variance is then at least that of one more hit
+        // in one of them.
         if (hits[o] < 1.25 * randomisations)
             found.laws[o].variance =
                 std::max(variance[o], squared(largest[o]) / randomisations);

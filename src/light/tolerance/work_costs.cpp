@@ -10,14 +10,15 @@ namespace ideotype {
 
 namespace {
 
-//! The number of first hits of a sun above which a lattice is better than
-//! independent rays. This is a first guess, which a trial replaces.
+//! The number of first hits of a sun above which a lattice is assumed to be
+//! better than independent rays, until a trial measures it.
 constexpr double even_for_lattices = 30;
 
-//! Returns the factor by which errors of trials are multiplied, since a trial
+//! Returns the factor by which errors of trials are multiplied, because a trial
 //! that underestimates the error leads to too few paths. The mean of sqrt(v /
-//! X), X from a chi-square distribution with v degrees of freedom, keeps the
-//! expected error within the tolerance: slightly above 1 + 3 / (4 v).
+//! X), with X from a chi-square distribution with v degrees of freedom, would
+//! keep the expected error within the tolerance. The factor is slightly above
+//! its approximation 1 + 3 / (4 v).
 double caution(int randomisations) {
     IDEOTYPE_EXPECT(randomisations > 1);
     return 1 + 0.8 / (randomisations - 1);
@@ -65,7 +66,7 @@ bool WorkCosts::pays_to_draw(const Amounts& by_rays,
     if (subject.scene.boundary() != Boundary::periodic ||
         found.laws[LightOrigin::beams].variance == 0)
         return false;
-    // The factor counts the cost of the trial with drawn beams.
+    // The factor includes the cost of a trial with rasterised beams.
     constexpr double with_trial = 1.3;
     return cost(cheapest(guess(), true, least), true) * with_trial <
            cost(by_rays, false);
@@ -76,7 +77,7 @@ Amounts WorkCosts::cheapest(const ByOrigin<Law>& laws, bool is_drawn,
     const double wanted = accuracy.tolerance / caution(trials) * found.mean;
     Amounts amounts = allocate(laws, costs(is_drawn),
                                wanted * wanted * accuracy.randomisations);
-    // The light of a single path is the smallest difference between figures.
+    // Figures cannot differ by less than the light of one path.
     const double coarsest = 1 / (accuracy.tolerance * accuracy.randomisations);
     const double part = coarsest / first_hits_of(least);
     for (const LightOrigin origin : {LightOrigin::beams, LightOrigin::skies})

@@ -63,7 +63,7 @@ Workload work_of(const Amounts& amounts, const Illumination& light) {
         for (const Source& source : sources)
             if (origin_of(source) == origin) part.sources.push_back(source);
         if (part.sources.empty()) continue;
-        // Hits that rounding takes from beams go to skies.
+        // First hits that beams lose to rounding are given to skies.
         const double others =
             origin == LightOrigin::beams ? 0 : amounts[LightOrigin::beams];
         const double hits =

@@ -14,9 +14,10 @@ namespace ideotype {
 
 namespace {
 
-//! A leaf at one temperature behind its boundary layer. The openness of its
-//! stomata is gs / (gs + gb), from 0 to 1: the drop of vapour pressure within
-//! the boundary layer over the whole drop from the leaf to the air.
+//! A leaf at a given temperature with its boundary layer. The openness of its
+//! stomata is gs / (gs + gb), from 0 to 1: the vapour pressure difference
+//! across the boundary layer divided by the total difference between leaf and
+//! air.
 template <class AtTemperature>
 class Behind {
   public:
@@ -30,8 +31,8 @@ class Behind {
           air_(air),
           absorbed_(absorbed) {}
 
-    //! Returns the balance of CO2, which is unique because more assimilation
-    //! leaves less CO2 within the leaf.
+    //! Returns the balance of CO2. It is unique because more assimilation
+    //! lowers the CO2 inside the leaf.
     LeafBalance at(double openness) const {
         const double gs = conductance(openness);
         const double resistance = resistance_of(gs);
@@ -48,9 +49,9 @@ class Behind {
         return found;
     }
 
-    //! Returns the assimilation minus that at which stomata have the given
-    //! openness. It is positive, also below the intercept, if stomata would
-    //! open further, and negative if they would close.
+    //! Returns assimilation minus the assimilation for which stomata would have
+    //! the given openness. It is positive, also below the intercept, if stomata
+    //! would open further, and negative if they would close.
     double excess(double openness) const {
         const double gs = conductance(openness);
         const double beyond = gs - stomata_.intercept;
@@ -66,19 +67,20 @@ class Behind {
         return response_(ci).gross(absorbed_) - respiration_;
     }
 
-    //! Returns the conductance of stomata. Closed ones leak so little that no
-    //! number overflows.
+    //! Returns the stomatal conductance. Its lower bound is so small that it
+    //! only prevents overflow.
     double conductance(double openness) const {
         return std::max(
             air_.boundary * openness / std::max(1 - openness, 1e-15), 1e-12);
     }
 
-    //! Returns the resistance to CO2 from the air into the leaf [m2 s mol-1].
+    //! Returns the resistance to CO2 from the air to the inside of the leaf [m2
+    //! s mol-1].
     double resistance_of(double gs) const {
         return 1.37 / air_.boundary + 1.6 / gs;
     }
 
-    //! Returns the slope of stomata, which is never 0.
+    //! Returns stomatal_slope(), with a lower bound above 0.
     double slope(double openness) const {
         return std::max(
             stomatal_slope(stomata_, saturated_,
@@ -101,9 +103,9 @@ Behind<FarquharAt> behind(const FarquharLeaf& rates, const auto&... rest) {
     return {rates, rest...};
 }
 
-//! The first root of a function, and how many times its sign changes at places
-//! in order. The function counts as negative at the first place and positive at
-//! the last.
+//! The first root of a function, and the number of its sign changes over
+//! ordered points. The function counts as negative at the first point and
+//! positive at the last.
 struct FirstRoot {
     double x;
     int roots;
@@ -136,7 +138,7 @@ LeafBalance balance_of(const Rates& rates, const Stomata& stomata,
     std::array<double, steps + 1> closed;
     for (std::size_t i = 0; i <= steps; ++i)
         closed[i] = static_cast<double>(i) / steps;
-    // Shut stomata are in balance if they would not open.
+    // Closed stomata are in balance if they would not open.
     const FirstRoot found =
         first_root([&](double x) { return leaf.excess(1 - x); }, closed, 1e-15);
     const double openness = 1 - found.x;
@@ -145,8 +147,8 @@ LeafBalance balance_of(const Rates& rates, const Stomata& stomata,
     return result;
 }
 
-//! Returns temperatures between two others. They are denser below the air's,
-//! where conductances change fast without wind.
+//! Returns temperatures between two limits. They are denser below the air
+//! temperature, where conductances change rapidly in still air.
 std::array<double, 2 * steps + 1> temperatures(double low, double high,
                                                double air) {
     const double bend = std::clamp(air, low, high);

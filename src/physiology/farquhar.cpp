@@ -10,17 +10,17 @@ namespace ideotype {
 
 namespace {
 
-//! Returns exp(c - E / R T), with an energy of activation E [kJ mol-1].
+//! Returns exp(c - E / R T), with an activation energy E [kJ mol-1].
 double arrhenius(double c, double energy, double temperature) {
     return std::exp(c - energy / (gas_constant * (temperature + kelvin)));
 }
 
-//! Returns a rate at a temperature [deg C] over that at 25 deg C.
+//! Returns a rate at a temperature [deg C] relative to 25 deg C.
 double rise(double energy, double temperature) {
     return arrhenius(0, energy, temperature) / arrhenius(0, energy, 25);
 }
 
-//! Returns the use of triose phosphate over that at 25 deg C.
+//! Returns the capacity of triose phosphate use relative to 25 deg C.
 double triose_use(double temperature) {
     const auto fall = [](double t) {
         return 1 + arrhenius(0.65 / gas_constant, 201.8, t);
@@ -28,7 +28,7 @@ double triose_use(double temperature) {
     return rise(53.1, temperature) * fall(25) / fall(temperature);
 }
 
-//! Returns the electrons for each absorbed photon [-], in dark-adapted leaves.
+//! Returns the electrons per absorbed photon [-], for dark-adapted leaves.
 double electron_yield(double temperature) {
     const double of_photosystem =
         0.352 + 0.022 * temperature - 0.00034 * temperature * temperature;

@@ -8,8 +8,8 @@ namespace ideotype {
 double smooth_minimum_slope(double curvature, double a, double b) {
     if (b == 0) return 0;
     const double root = discriminant_root(curvature, a, b);
-    // The equation of x gives x' (2 q x - a - b) = x - b, where the bracket is
-    // minus the root of the discriminant.
+    // The derivative of the equation gives x' (2 q x - a - b) = x - b, where
+    // the bracket is minus the square root of the discriminant.
     const double x = smooth_minimum(curvature, a, b);
     if (root == 0) return 0.5;  // a kink: q is 1 and a is b
     return (b - x) / root;

@@ -8,8 +8,8 @@ namespace ideotype {
 
 namespace {
 
-// Functions of one leaf have an overload for each model, and no general
-// overload: a model without one does not compile.
+// Functions of one leaf are overloaded for each model. There is no generic
+// overload, so a model without one does not compile.
 
 double respiration_of(const HyperbolaLeaf& leaf, double temperature) {
     return leaf.respiration.value_or(0.04 * leaf.response.amax) *
@@ -112,7 +112,7 @@ void gross(const LeafResponse& response, std::span<const double> absorbed,
 void expand(const LeafResponse& response, std::span<const double> absorbed,
             double* assimilation, double* slope, double* curvature) {
     std::visit(
-        [=](auto each) {  // a copy that results cannot overwrite
+        [=](auto each) {  // a copy, so that writing results cannot change it
             for (std::size_t i = 0; i < absorbed.size(); ++i) {
                 const Expansion at = each.expand(absorbed[i]);
                 assimilation[i] = at.value;

@@ -11,13 +11,14 @@
 
 namespace ideotype {
 
-//! Lowest temperature of leaves [deg C], above the pole of saturated_vapour().
+//! Lowest leaf temperature considered [deg C], above the pole of
+//! saturated_vapour().
 inline constexpr double coldest = -200;
 inline constexpr double vapour_over_heat = 1.09;
 
-//! Returns the conductance of stomata beyond the intercept, per assimilation
-//! over surface CO2.
-//! @param saturated,surface vapour pressures in the leaf and at its surface
+//! Returns the stomatal conductance above the intercept, divided by
+//! assimilation over surface CO2.
+//! @param saturated,surface vapour pressure in the leaf and at its surface
 //! [kPa]
 inline double stomatal_slope(const Stomata& stomata, double saturated,
                              double surface) {
@@ -27,7 +28,7 @@ inline double stomatal_slope(const Stomata& stomata, double saturated,
     return stomata.slope * std::min(surface / saturated, 1.);
 }
 
-//! The energy of a point of a leaf at any temperature.
+//! The energy balance of a point on a leaf at any temperature.
 class LeafEnergy {
   public:
     LeafEnergy(const ThermalLeaf& leaf, const LeafSurroundings& around)
@@ -50,19 +51,21 @@ class LeafEnergy {
     double vapour() const { return vapour_; }
     //! Returns the latent heat of vaporisation [J mol-1].
     double latent_heat() const { return latent_heat_; }
-    //! Returns the emission of both faces over the fourth power of temperature.
+    //! Returns the emission of both faces divided by the fourth power of
+    //! temperature.
     double emission() const { return emission_; }
 
-    //! Returns the conductance of heat of one face.
+    //! Returns the boundary-layer conductance for heat of one face.
     double heat(double t) const {
         const double apart = std::abs(t - around_.temperature);
         return std::cbrt(unmoved_ + cube(free_ * std::sqrt(std::sqrt(apart))));
     }
 
-    //! Returns the conductance of vapour of the boundary layers at the stomata.
+    //! Returns the boundary-layer conductance for vapour, combined over the
+    //! faces with stomata.
     double boundary(double t) const { return boundary_of(heat(t)); }
 
-    //! @param of_heat conductance of heat of one face
+    //! @param of_heat conductance for heat of one face
     double boundary_of(double of_heat) const {
         return vapour_over_heat * faces_ * of_heat;
     }
@@ -78,12 +81,12 @@ class LeafEnergy {
         return 2 * air_heat_capacity * of_heat * (t - around_.temperature);
     }
 
-    //! Returns the latent heat at a conductance of vapour [W m-2].
+    //! Returns the latent heat flux at a conductance for vapour [W m-2].
     double latent(double t, double conductance) const {
         return latent_of(conductance, saturated_vapour(t));
     }
 
-    //! @param saturated vapour pressure at the leaf's temperature [kPa]
+    //! @param saturated saturation vapour pressure at leaf temperature [kPa]
     double latent_of(double conductance, double saturated) const {
         return latent_heat_ * conductance * (saturated - vapour_) /
                around_.pressure;
@@ -93,16 +96,17 @@ class LeafEnergy {
         return std::min(latent(t, 2 * vapour_over_heat * heat(t)), 0.);
     }
 
-    //! Returns whether air at the leaf is at least saturated, so that no water
-    //! leaves the leaf.
+    //! Returns whether the air is saturated at leaf temperature, so that no
+    //! water leaves the leaf.
     bool has_dew(double t) const { return saturated_vapour(t) <= vapour_; }
 
     double transpiration(double latent) const {
         return 1e3 * latent / latent_heat_;
     }
 
-    //! Returns the temperature with shut stomata, which no leaf exceeds. It is
-    //! unique, as radiation, heat and dew all fall with temperature.
+    //! Returns the temperature with closed stomata, which no leaf exceeds. It
+    //! is unique because net radiation minus all heat fluxes decreases with
+    //! temperature.
     double warmest() const {
         const double t = around_.temperature, alone = radiative();
         return root(
@@ -112,9 +116,10 @@ class LeafEnergy {
             std::min(t, alone), std::max(t, alone), 1e-12);
     }
 
-    //! Returns a lower bound of a leaf's temperature without dew: the smaller
-    //! of the temperatures of a wet surface without radiation, at any wind, and
-    //! of radiation alone. Below it both heat and radiation warm a leaf.
+    //! Returns a lower bound of the temperature of a leaf without dew: the
+    //! smaller of two temperatures, that of a wet surface without radiation, at
+    //! any wind, and that set by radiation alone. Below it both heat and
+    //! radiation warm a leaf.
     double coolest() const {
         const auto cooling = [&](double x) {
             return 2 * air_heat_capacity * (x - around_.temperature) +
@@ -124,8 +129,8 @@ class LeafEnergy {
                         radiative());
     }
 
-    //! Returns the openness of stomata that closes the balance; up to 2, where
-    //! even stomata without resistance evaporate too little.
+    //! Returns the stomatal openness that closes the energy balance. Values up
+    //! to 2 mean that even stomata without resistance evaporate too little.
     double openness(double t) const {
         const double most = latent(t, boundary(t));
         const double need = net_radiation(t) - sensible(t);

@@ -15,15 +15,15 @@ namespace ideotype {
 
 namespace {
 
-//! The temperature below which enzymes of any leaf work, so that there is one
-//! balance [deg C].
+//! The temperature up to which enzymes of all leaf models work, so that there
+//! is a unique balance [deg C].
 constexpr double warmest_of_one_balance = 38;
-//! The humidity from which stomata of Ball and Berry have one conductance.
+//! The humidity above which the Ball-Berry model gives a unique conductance.
 constexpr double least_humidity = 0.35;
-//! The wind from which leaves differ little from the air [m s-1].
+//! The wind above which leaf and air temperature differ little [m s-1].
 constexpr double least_wind = 0.05;
 
-//! A table of numbers that depend on temperature alone, with linear
+//! A table of values that depend on temperature only, with linear
 //! interpolation; relative errors are below 1e-5.
 template <class Factors>
 class ByTemperature {
@@ -33,7 +33,7 @@ class ByTemperature {
             : factors(temperature), saturated(saturated_vapour(temperature)) {}
 
         Factors factors;
-        double saturated;  //!< pressure of vapour [kPa]
+        double saturated;  //!< saturation vapour pressure [kPa]
     };
 
     Numbers operator()(double temperature) const {
@@ -80,15 +80,15 @@ struct Model<FarquharLeaf> {
     using Factors = FarquharFactors;
 };
 
-//! Returns the expansion of transpiration from that of net assimilation, with
-//! which stomata open, to first order.
+//! Returns the expansion of transpiration from that of net assimilation, to
+//! which the opening of stomata is proportional to first order.
 Expansion transpiration_of(double amount, double share, const Expansion& net) {
     if (!(net.value > 0)) return {amount, 0, 0};
     const double per_net = amount * share / net.value;
     return {amount, per_net * net.slope, per_net * net.curvature};
 }
 
-//! A leaf with temperature, stomata and assimilation not yet in balance.
+//! A leaf during the iteration of temperature, stomata and assimilation.
 template <class Rates>
 class Sweeps {
   public:
@@ -106,7 +106,7 @@ class Sweeps {
         net_ = like->net.value;
     }
 
-    //! Returns whether the balance has been found.
+    //! Iterates until the balance is reached; returns whether it was.
     bool settle() {
         constexpr int most = 20;
         constexpr double tolerance = 0.003;
@@ -124,7 +124,7 @@ class Sweeps {
             const double step = std::clamp(-residual / slope, -8., 8.);
             t_ += step;
             if (std::abs(step) < tolerance && is_steady_) {
-                // The last step of water also closes the balance.
+                // Latent heat is set to close the balance exactly.
                 latent_ =
                     energy_.net_radiation(t_) - energy_.sensible(t_, heat_);
                 return has_one_balance();
@@ -151,7 +151,7 @@ class Sweeps {
     }
 
   private:
-    //! Finds assimilation and stomata at the leaf's temperature.
+    //! Computes assimilation and stomatal conductance at leaf temperature.
     void breathe(int passes) {
         const auto numbers = table_(t_);
         const typename Model<Rates>::At at(rates_, numbers.factors);
@@ -167,7 +167,7 @@ class Sweeps {
             const double slope = stomatal_slope(stomata_, saturated_, surface);
             const double cs = std::max(
                 around_.co2 - 1.37 * std::max(net_, 0.) / boundary_, 1.);
-            // The CO2 within the leaf at which stomata are in balance with the
+            // The CO2 inside the leaf at which stomata are in balance with the
             // net rate.
             double ci = cs;
             gs_ = stomata_.intercept;
@@ -197,8 +197,8 @@ class Sweeps {
                 energy_.vapour() >= least_humidity * saturated_);
     }
 
-    //! Returns a slope of the residual that neglects the response of stomata to
-    //! temperature.
+    //! Returns the slope of the residual in temperature, neglecting the
+    //! response of stomata to temperature.
     double slope_of_residual() const {
         const double k = t_ + kelvin;
         const double total = saturated_ <= energy_.vapour()
@@ -223,7 +223,7 @@ class Sweeps {
            latent_ = 0;
 };
 
-//! Returns energy_balance() with derivatives.
+//! Returns the result of energy_balance() with derivatives.
 template <class Rates>
 LeafExchange from_balance(const Rates& rates, const ThermalLeaf& leaf,
                           const LeafSurroundings& around) {

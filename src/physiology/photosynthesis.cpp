@@ -11,7 +11,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the value of a leaf between points from the lowest leaf to the top.
+//! Returns the value at a leaf by interpolation from the lowest leaf to the
+//! highest.
 double at_rank(const std::vector<double>& points, std::size_t leaf,
                std::size_t leaves) {
     IDEOTYPE_EXPECT(!points.empty());

@@ -11,10 +11,9 @@ struct Point {
     double x, value;
 };
 
-//! Returns the place where a function turns from negative to not negative,
-//! between two points, to a tolerance, by the ITP method (Oliveira and
-//! Takahashi 2021, doi:10.1145/3423597), which takes at most one step more than
-//! bisection.
+//! Returns the point between two others where a function changes from negative
+//! to not negative, to a tolerance. The ITP method (Oliveira and Takahashi
+//! 2021, doi:10.1145/3423597) takes at most one step more than bisection.
 template <class Function>
 double root(const Function& f, Point low, Point high, double tolerance) {
     const double range = high.x - low.x;
@@ -41,7 +40,7 @@ double root(const Function& f, Point low, Point high, double tolerance) {
     return (low.x + high.x) / 2;
 }
 
-//! Returns root() between two places, for a function that does not fall.
+//! Returns root() between two points, for a function that does not decrease.
 template <class Function>
 double root(const Function& f, double low, double high, double tolerance) {
     const Point first{low, f(low)}, last{high, f(high)};

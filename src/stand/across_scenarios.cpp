@@ -125,7 +125,7 @@ Outcome AcrossScenarios::combine(const std::vector<Outcome>& outcomes) const {
     std::vector<Outcome> by_scenario;
     std::span<const Outcome> left(outcomes);
     auto over = over_stages_.begin();
-    // Either all climates have plants that grow, or none has.
+    // Plants grow in all climates or in none.
     for (const std::size_t count : stages_) {
         by_scenario.push_back(over_stages_.empty()
                                   ? left.front()

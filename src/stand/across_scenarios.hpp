@@ -11,20 +11,21 @@
 
 namespace ideotype {
 
-//! Combines outcomes of growing plants at each stage to one of the season.
+//! Combines outcomes at the stages of growing plants into one outcome for the
+//! season.
 class OverStages {
   public:
-    //! @param chosen case with stages
+    //! @param chosen case that contains the stages
     OverStages(const Campaign& campaign, const Case& chosen);
 
-    //! Returns the quantities of stages except those by hour, and some
+    //! Returns the quantities of the stages except those by hour, and selected
     //! quantities by stage.
     const QuantitySet& measured() const { return measured_; }
 
-    //! Combines outcomes of stages with the weights given by mean_over() of
-    //! each quantity. Amounts are sums over stages, for a mean day of the
-    //! season. Random numbers of stages are independent.
-    //! @param outcomes a done outcome of each stage
+    //! Combines outcomes of stages, weighting each quantity as mean_over()
+    //! specifies. Amounts are sums over stages, for a mean day of the season.
+    //! Stages use independent random numbers.
+    //! @param outcomes one completed outcome per stage
     Outcome combine(std::span<const Outcome> each) const;
 
   private:
@@ -35,13 +36,12 @@ class OverStages {
         MeanOver kind;
         std::size_t size;
         std::vector<std::size_t>
-            begins;  //!< first index in the quantities of each stage
-        //! The index in the sum of each number of each stage.
+            begins;  //!< index of the first value, by stage
+        //! For each value of each stage, its index in the sum.
         std::vector<std::vector<std::size_t>> places;
     };
 
-    //! Adds a quantity, unless it is by hour or has different axes at each
-    //! stage.
+    //! Adds a quantity, unless it is by hour or its axes differ between stages.
     void add(const Quantity& quantity, const std::vector<QuantitySet>& sets);
 
     struct ByStage {
@@ -52,31 +52,32 @@ class OverStages {
     std::vector<ObjectiveEntry> objectives_;
     std::vector<MeanOver> objective_weights_;
     std::vector<double> days_;   //!< days of each stage since emergence
-    std::vector<double> times_;  //!< time of each stage over the season
-    //! Indices in quantities; transpiration only if leaves exchange water.
+    std::vector<double> times_;  //!< fraction of the season, by stage
+    //! Indices of quantities; transpiration only if leaves exchange water.
     std::vector<std::size_t> incident_, absorbed_, lai_, transpired_;
     std::vector<Summed> summed_;
     std::vector<ByStage> by_stage_;
     QuantitySet measured_;
 };
 
-//! Combines outcomes of a plant in all scenarios of a case, each over its
-//! stages.
+//! Combines the outcomes of a plant in all scenarios of a case, each combined
+//! over its stages.
 class AcrossScenarios {
   public:
     AcrossScenarios(const Campaign& campaign, const Case& chosen);
 
-    //! Returns means over scenarios of quantities with equal axes in all
-    //! scenarios (hours or days may differ), and each objective by scenario, as
-    //! `absorbed_par_by_scenario`; for a single scenario, all quantities.
+    //! Returns means over scenarios of the quantities with the same axes in all
+    //! scenarios (hours or days may differ). Each objective is also returned by
+    //! scenario, for example as `absorbed_par_by_scenario`. For a single
+    //! scenario, returns all its quantities.
     const QuantitySet& measured() const { return measured_; }
 
     //! Combines the outcomes of all scenarios. Objectives are means, also by
     //! randomisation, so that their standard errors account for common random
-    //! numbers of scenarios; or each objective is that of the worst scenario.
-    //! The violation is the largest. Standard errors of other quantities are
-    //! means, an upper bound.
-    //! @param outcomes a done outcome of each of evaluated_cases()
+    //! numbers of scenarios. Alternatively each objective is that of the worst
+    //! scenario. The violation is the largest of all scenarios. Standard errors
+    //! of other quantities are averaged, which gives an upper bound.
+    //! @param outcomes one completed outcome for each of evaluated_cases()
     Outcome combine(const std::vector<Outcome>& each) const;
 
   private:
@@ -86,15 +87,16 @@ class AcrossScenarios {
     struct Shared {
         std::size_t size;
         std::vector<std::size_t>
-            begins;  //!< first index in quantities, by scenario
+            begins;  //!< index of the first value, by scenario
     };
 
     void combine_objective(const std::vector<Outcome>& each,
                            std::size_t objective, Outcome& all) const;
 
     Across across_;
-    std::vector<std::size_t> stages_;      //!< stages of each scenario
-    std::vector<OverStages> over_stages_;  //!< by scenario, if plants grow
+    std::vector<std::size_t> stages_;  //!< number of stages of each scenario
+    //! Combination by scenario, if plants grow.
+    std::vector<OverStages> over_stages_;
     std::vector<ObjectiveEntry> objectives_;
     QuantitySet measured_;
     std::vector<Shared> shared_;

@@ -13,7 +13,7 @@ namespace ideotype {
 //! normalised to unit irradiance on level ground.
 enum class Span { day, single };
 
-//! An axis of results; layers and faces have indices instead of labels.
+//! An axis of results; layers and faces are numbered and have no labels.
 struct ResultAxis {
     const char* name;
     std::vector<std::string> labels{};
@@ -21,9 +21,9 @@ struct ResultAxis {
 
 //! One result of an evaluation of light, for JSON output and Python datasets.
 struct LightResult {
-    const char* key;    //!< name in JSON
-    const char* array;  //!< name of the array in Python; null: none
-    //! Axes, the last one varying fastest; empty: there is one value.
+    const char* key;    //!< name in JSON output
+    const char* array;  //!< name of the array in Python; null: not in Python
+    //! Axes, the last one varying fastest; empty for a single value.
     std::vector<ResultAxis> along;
     std::vector<Estimate> values;
     bool has_surfaces = true;  //!< whether surfaces of this kind exist
@@ -42,19 +42,20 @@ std::vector<LightResult> band_results(const CanopyReport& report);
 //! The parts of a canopy by which assimilation is reported.
 enum class CarbonOf { all, components, groups };
 
-//! Returns gross and net assimilation, and for all leaves over a day the net
-//! carbon balance, in carbon_unit(). Net values have the standard error of
-//! gross ones.
+//! Returns gross and net assimilation in carbon_unit(). For all leaves over a
+//! day, the net carbon balance is included. Net values use the standard errors
+//! of gross values.
 std::vector<LightResult> carbon_results(const CanopyReport& report,
                                         CarbonOf parts, Span span);
 
-//! Returns the unit of assimilation: a rate for a single source, else per day.
+//! Returns the unit of assimilation: per second for a single source, otherwise
+//! per day.
 inline const char* carbon_unit(Span span) {
     return span == Span::single ? "umol m-2 s-1" : "mol m-2 day-1";
 }
 
-//! Returns the scalar quantities. For a single source only fractions and areas,
-//! since it has no daily sums.
+//! Returns the scalar quantities. For a single source these are only fractions
+//! and areas, since daily sums are undefined.
 std::vector<Measured> numbers_of(const CanopyReport& report, Span span);
 
 }  // namespace ideotype

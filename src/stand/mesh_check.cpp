@@ -16,14 +16,15 @@ namespace {
 
 constexpr double most_faces = most_obj_faces;
 
-//! A height above that of any crop [m].
+//! A height that no crop exceeds [m].
 constexpr double usual_height = 20;
 
-//! The largest number of periods that a beam may cross on its way down.
+//! The largest number of periods that a beam may cross before it reaches the
+//! soil.
 constexpr double most_beam_crossings = 1e4;
 
-//! Checks that the mesh area is neither so small that paths cross very many
-//! periods, nor so large that they hardly leave the mesh.
+//! Checks the ground area: if too small, paths cross very many periods; if too
+//! large, they hardly meet the mesh.
 void check_area(const Mesh& mesh, double plants, const Cell& cell) {
     constexpr double least = 1e-6, most = 1e4;
     double area = 0;
@@ -39,7 +40,7 @@ void check_area(const Mesh& mesh, double plants, const Cell& cell) {
             is_much ? most : least));
 }
 
-//! Checks that beams of a low sun do not cross too many periods.
+//! Checks that beams from a low sun do not cross too many periods.
 //! @param height height of the mesh [m]
 void check_beams(double height, const Cell& cell, const MeshSpec::Sun& sun,
                  const Problems& problems) {

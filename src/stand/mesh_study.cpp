@@ -25,7 +25,7 @@ constexpr std::uint64_t usual_randomisations = 32;
 
 constexpr std::size_t layers = 10;
 
-//! Returns one source for one second, or the light of a clear day.
+//! Returns a single source over one second, or the light of a clear day.
 LightSeries day_of(const MeshSpec& spec) {
     constexpr double par_fraction = 0.45;
     if (spec.site)
@@ -40,9 +40,9 @@ LightSeries day_of(const MeshSpec& spec) {
 
 SeriesIllumination light_of(const MeshSpec& spec,
                             std::vector<std::string>& warnings) {
-    constexpr double north = 0;  // direction of the y axis of the mesh
-    //! Dates of a season with traced suns: more than in campaigns, which only
-    //! compare plants.
+    constexpr double north = 0;  // the y axis of the mesh points north
+    //! Number of dates that provide sun positions for a season. It is higher
+    //! than in campaigns, which only compare plants.
     constexpr int dates = 6;
     const SkyModel sky = spec.sky.value_or(SkyModel::uniform);
     if (spec.climate.empty()) return illuminate(day_of(spec), sky, north);
@@ -77,7 +77,8 @@ Cell ground_of(const MeshSpec& spec) {
     return cell;
 }
 
-//! Returns the faces of some groups of a mesh, with only their vertices.
+//! Returns the faces of selected groups of a mesh, with only the vertices they
+//! use.
 Mesh part_of(const Mesh& mesh, const std::vector<bool>& is_wanted) {
     constexpr std::uint32_t none = ~std::uint32_t{0};
     Mesh part;
@@ -104,7 +105,7 @@ Mesh part_of(const Mesh& mesh, const std::vector<bool>& is_wanted) {
 }
 
 //! Divides a mesh into the components of a scene file.
-//! @throws Error if a group fits no material or no component.
+//! @throws Error if a group matches no material or no component.
 std::vector<Component> components_of(const Mesh& mesh, const MeshScene& file,
                                      std::vector<std::string>& warnings) {
     std::vector<std::string> problems;

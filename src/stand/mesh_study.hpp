@@ -13,8 +13,8 @@
 
 namespace ideotype {
 
-//! The light in a mesh. A single source is normalised to unit irradiance on
-//! level ground.
+//! The result of tracing light in a mesh. A single source is normalised to unit
+//! irradiance on level ground.
 struct MeshReport {
     CanopyReport canopy;
     std::vector<std::string> warnings;
@@ -27,21 +27,21 @@ inline Span span_of(const MeshSpec& spec) {
 //! The largest number of paths traced to meet a tolerance.
 inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
 
-//! Reads the mesh and traces light, with reproducible random numbers.
-//! @throws Error, also of wrong usage.
+//! Reads the mesh and traces light with reproducible random numbers.
+//! @throws Error, also for wrong usage.
 MeshReport study(const MeshSpec& spec, KeyNaming naming = key_itself);
 
-//! Studies a mesh in memory; MeshSpec::path is ignored.
+//! Traces light in a mesh in memory; MeshSpec::path is ignored.
 MeshReport study(Mesh mesh, const MeshSpec& spec,
                  KeyNaming naming = key_itself);
 
-//! Checks keys against each other.
-//! @throws Error of wrong usage: missing, contradictory or impossible keys.
+//! Checks keys for consistency.
+//! @throws Error for wrong usage: missing, contradictory or impossible keys.
 void check_rules(const MeshSpec& spec, const Problems& problems);
 
 //! Checks whether light can be traced in copies of a mesh in a cell.
-//! @param sun the sun, if it is fixed
-//! @return warnings about faults that do not prevent tracing
+//! @param sun sun position, if it is fixed
+//! @return warnings about problems that do not prevent tracing
 //! @throws Error if light cannot be traced.
 std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
                                     const Cell& cell,

@@ -19,15 +19,15 @@ using Names = std::vector<std::string>;
 const Names told_by_stage{"lai",          "dead_area_index",  "fapar",
                           "absorbed_par", "net_assimilation", "carbon_balance"};
 
-//! Returns whether coordinates of an axis are matched by name, since they
-//! differ between stages: a stage does not cover all days, and young plants
-//! lack organs.
+//! Returns whether entries of an axis are matched by name because they differ
+//! between stages: a stage does not cover all days, and young plants lack
+//! organs.
 bool is_matched(const std::string& axis) {
     return axis == "day" || axis == "organ";
 }
 
-//! Returns an axis with the names of all stages: days in order, or organs,
-//! those that full-grown plants lack last.
+//! Returns an axis with the entries of all stages: days in order, or organs,
+//! with those that full-grown plants lack at the end.
 Axis axis_of_all(const std::vector<QuantitySet>& sets,
                  const std::string& name) {
     Axis axis = sets.back().axis(name);
@@ -161,7 +161,7 @@ std::vector<double> OverStages::weights(
     for (std::size_t s = 0; s < outcomes.size(); ++s) {
         shares.push_back(outcomes[s].quantities[(*by)[s]].mean);
         if (kind == MeanOver::leaf_area_time) shares.back() *= times_[s];
-        // Amounts per leaf area already refer to the duration of the stage.
+        // Amounts per leaf area already include the duration of the stage.
         sum += shares.back() * (kind == MeanOver::leaf_area ? times_[s] : 1);
     }
     for (double& x : shares) x = sum > 0 ? x / sum : 0;
@@ -184,7 +184,7 @@ Outcome OverStages::combine(std::span<const Outcome> outcomes) const {
             for (std::size_t r = 0; r < count; ++r)
                 values[r] += by[s] * outcomes[s].randomisations[k * count + r];
         }
-        // The outcome of a single stage is kept bit for bit.
+        // The outcome of a single stage is preserved bit for bit.
         combined.objectives.push_back(
             {mean, outcomes.size() == 1
                        ? outcomes[0].objectives[k].standard_error
@@ -194,7 +194,7 @@ Outcome OverStages::combine(std::span<const Outcome> outcomes) const {
     }
     for (const Outcome& one : outcomes)
         combined.violation = std::max(combined.violation, one.violation);
-    // Weighted sums of quantities, with independent errors of stages.
+    // Weighted sums of quantities; errors of stages are independent.
     for (const auto& [kind, size, begins, places] : summed_) {
         const std::vector<double> by = weights(kind, outcomes);
         std::vector<Estimate> sum(size);
@@ -210,7 +210,7 @@ Outcome OverStages::combine(std::span<const Outcome> outcomes) const {
         combined.quantities.insert(combined.quantities.end(), sum.begin(),
                                    sum.end());
     }
-    // Quantities by stage, amounts per day of the stage.
+    // Quantities by stage; amounts are per day of the stage.
     for (const auto& [begins, is_amount] : by_stage_)
         for (std::size_t s = 0; s < outcomes.size(); ++s)
             combined.quantities.push_back(

@@ -11,7 +11,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the mean of a value weighted by light; nothing if a step lacks it.
+//! Returns the mean of a variable weighted by light; nothing if any step lacks
+//! it.
 std::optional<double> mean_in_light(const LightSeries& series,
                                     std::optional<double> TimeStep::*value) {
     double sum = 0, light = 0;
@@ -76,7 +77,7 @@ StandsOverview overview_of(const Campaign& campaign, double leaf_area) {
         overview.period_y.add(campaign.spec.field.plants * spacing.plant);
         overview.lai.add(leaf_area / (spacing.row * spacing.plant));
     }
-    // Many cases have the same site and day.
+    // Many cases share their site and day.
     std::set<std::pair<std::string, std::string>> of_cases, seen;
     const Cases some = cases(campaign);
     for (std::size_t i = 0; i < some.size(); ++i) {

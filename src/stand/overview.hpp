@@ -13,7 +13,7 @@
 
 namespace ideotype {
 
-//! The range of some values.
+//! A range of values.
 struct Extent {
     double lower = std::numeric_limits<double>::infinity();
     double upper = -std::numeric_limits<double>::infinity();
@@ -24,15 +24,16 @@ struct Extent {
     }
 };
 
-//! The mean air of a climate above the canopy.
+//! The mean state of the air above the canopy in a climate.
 struct AirOverview {
-    double wind, wind_height;            //!< wind [m s-1] at a height [m]
-    double pressure, longwave;           //!< [kPa], [W m-2]
-    double co2;                          //!< [umol mol-1]
-    std::vector<std::string> estimated;  //!< names of estimated variables
+    double wind, wind_height;   //!< wind [m s-1] at a measurement height [m]
+    double pressure, longwave;  //!< [kPa], [W m-2]
+    double co2;                 //!< [umol mol-1]
+    //! Names of the variables that are estimated.
+    std::vector<std::string> estimated;
 };
 
-//! The sun and the light at a site on a day or in a climate.
+//! The sun and the light at a site, on a day or in a climate.
 struct SkyOverview {
     Site site;
     std::string day;      //!< name of the day or climate
@@ -41,18 +42,19 @@ struct SkyOverview {
     std::size_t steps;    //!< number of instants or time steps with light
     double par, diffuse;  //!< PAR [J m-2 day-1] and its diffuse part
     double left_out =
-        0;  //!< share of the light of a clear day outside start and end
-    //! Means weighted by light [deg C, 0 to 1]; nothing if unknown.
+        0;  //!< share of the light of a clear day before start and after end
+    //! Light-weighted means [deg C, 0 to 1]; nothing if unknown.
     std::optional<double> temperature{}, humidity{};
-    //! Air of a climate, if the weather states any of it.
+    //! Air of a climate, if the weather contains any of these variables.
     std::optional<AirOverview> air{};
 };
 
-//! An overview of the stands of all cases of a campaign and of their scenarios.
+//! An overview of the stands of a campaign, over all cases and scenarios.
 struct StandsOverview {
     Extent period_x, period_y;  //!< periods of the cell [m]
-    Extent lai;                 //!< LAI of the baseline with other components
-    std::vector<SkyOverview> skies;  //!< one for each site and day or climate
+    Extent lai;  //!< LAI of the baseline, including other components
+    //! One entry for each site and day or climate.
+    std::vector<SkyOverview> skies;
 
     //! Returns the range of a number over all skies.
     Extent over_skies(const auto& number) const {

@@ -11,8 +11,9 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the mesh of panel rows in each pose, or in their fixed position.
-//! @param angles angle of each pose [deg]
+//! Returns the mesh of panel rows in each orientation, or in their fixed
+//! position.
+//! @param angles angle of each orientation [deg]
 Mesh mesh_of(const PanelRows& rows, const Cell& cell, double row_direction,
              const std::vector<double>& angles) {
     if (!rows.tracks) return panel_mesh(rows, cell, row_direction, rows.tilt);
@@ -35,8 +36,9 @@ Mesh mesh_of(const PanelRows& rows, const Cell& cell, double row_direction,
     return posed;
 }
 
-//! Sets the pose of tracking rows for the sun position of each source.
-//! @return angles of each tracking row [deg], by pose
+//! Assigns each source an orientation index of tracking rows for its sun
+//! position.
+//! @return angles of each tracking row [deg], by orientation
 std::vector<std::vector<double>> set_poses(
     Scene& scene, const std::vector<PanelRows>& panels) {
     std::vector<std::vector<double>> poses;

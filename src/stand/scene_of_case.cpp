@@ -28,7 +28,7 @@ void mix(Component& component, std::size_t plants) {
     component.mixed = plants;
 }
 
-//! Sets the positions and the azimuths of the plants of a component.
+//! Sets the positions and azimuths of a component's plants.
 void stand_in(Component& component, FieldForm form, const Campaign& campaign,
               const Standing& standing) {
     if (standing.plants > 0) {
@@ -46,9 +46,8 @@ void stand_in(Component& component, FieldForm form, const Campaign& campaign,
     if (is_mixed) mix(component, static_cast<std::size_t>(standing.mixed));
 }
 
-//! Assigns the rates of the lowest leaf of a crop file to all lower leaves that
-//! the file omits, if leaves differ by rank and assimilate.
-//! @param in_file number of leaves in the crop file
+//! Copies the rates of the lowest leaf in a crop file to all lower leaves that
+//! the file omits, if leaves assimilate and their rates differ by rank.
 void complete_rates(Component& component, std::size_t in_file) {
     if (!component.photosynthesis) return;
     Photosynthesis& photosynthesis = *component.photosynthesis;
@@ -63,9 +62,10 @@ void complete_rates(Component& component, std::size_t in_file) {
     rates.insert(rates.begin(), count - in_file, LeafRates(rates.front()));
 }
 
-//! Sets the dry mass of organs that a component builds between two stages.
+//! Sets the dry mass of organs that a component builds since the previous
+//! stage.
 //! @param plant full-grown plant
-//! @param before age at the stage before; below 0: there is none
+//! @param before age at the previous stage; below 0: there is none
 void set_built_organs(const Growth* growth, const Plant& plant, double before,
                       Component& component) {
     component.built_organs.clear();
@@ -79,7 +79,7 @@ void set_built_organs(const Growth* growth, const Plant& plant, double before,
             std::max(0., component.built_organs[i] - then[i].mass);
 }
 
-//! Sets a component to a full-grown plant, or to its plant at a stage.
+//! Sets a component to a full-grown plant, or to its plant at a growth stage.
 void set_grown(const Campaign& campaign, const Case& chosen, std::size_t number,
                const Plant& plant, Component& component) {
     const Growth* const growth = growth_of(campaign, number);
@@ -115,7 +115,7 @@ void set_grown(const Campaign& campaign, const Case& chosen, std::size_t number,
 }
 
 //! Scales photosynthetic capacity and respiration of leaves to the age of a
-//! component (0: the main crop), by the ageing of its crop.
+//! component (0: the main crop), as its crop's ageing specifies.
 void age_leaves(const Campaign& campaign, const Case& chosen,
                 std::size_t number, Component& component) {
     const Growth* const growth = growth_of(campaign, number);
@@ -130,7 +130,7 @@ void age_leaves(const Campaign& campaign, const Case& chosen,
 }
 
 //! Sets the roots of a growing component, and the fraction of its carbon that
-//! its ears respire later.
+//! its ears later respire.
 void set_sinks(const Campaign& campaign, const Case& chosen, std::size_t number,
                Component& component) {
     const Growth* const growth = growth_of(campaign, number);
@@ -153,8 +153,8 @@ Optics optics_in(const Campaign& campaign, std::size_t band) {
     return optics;
 }
 
-//! Returns whether results are reported by row: rows differ, and each row has
-//! plants of one component.
+//! Returns whether results are reported by row, that is, whether rows differ
+//! and each row contains plants of one component.
 bool has_rows_apart(const Campaign& campaign) {
     const FieldForm& field = campaign.spec.field;
     return field.boundary == Boundary::periodic && field.rows > 1 &&
@@ -164,15 +164,16 @@ bool has_rows_apart(const Campaign& campaign) {
            });
 }
 
-//! Returns the number of dates with traced suns, divided among stages.
+//! Returns the number of dates that provide sun positions, divided among
+//! stages.
 int sun_dates_of(const Campaign& campaign, const Case& chosen) {
     const LightSpec& light = campaign.spec.light;
     const int dates = light.dates.value_or(0);
     return chosen.stage ? (dates + *light.stages - 1) / *light.stages : dates;
 }
 
-//! Assigns a stage its share of light paths, by its share of carbon. Errors of
-//! stages are independent, so that all stages together meet the tolerance.
+//! Assigns a stage light paths in proportion to its share of carbon. Errors of
+//! stages are independent, so all stages together meet the tolerance.
 void take_share(const Stage& stage, Sampling& sampling) {
     IDEOTYPE_EXPECT(stage.share > 0);
     constexpr double largest = 0.5;

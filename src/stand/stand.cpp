@@ -16,7 +16,7 @@ Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
     constexpr double largest = 0.05;
     constexpr int most_paths = 1 << 20;
     constexpr int fewest =
-        8;  // smallest number that allows testing a tolerance
+        8;  // smallest number with which a tolerance can be tested
     Accuracy accuracy =
         task.is_final ? campaign.final_rule.sampling : campaign.sampling;
     if (task.tolerance) {
@@ -56,7 +56,7 @@ double final_effort(const Campaign& campaign) {
         return static_cast<double>(accuracy.all_paths());
     };
     const Accuracy& final = campaign.final_rule.sampling;
-    // With a tolerance, an evaluation may stop after the smallest number of
+    // With a tolerance, an evaluation may end after the smallest number of
     // paths.
     Accuracy usual = campaign.sampling;
     if (usual.tolerance > 0) usual.paths = std::min(usual.paths, fewest_paths);
@@ -179,8 +179,8 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
     Outcome outcome = across_.combine(outcomes);
     IDEOTYPE_ENSURE(outcome.quantities.size() == schema_.measured.size());
     if (campaign_.water && campaign_.spec.water->limit > 0) {
-        // Adds a margin of two standard errors, since the best of many noisy
-        // plants would otherwise exceed the limit.
+        // Adds a margin of two standard errors: without it, the best of many
+        // noisy plants would exceed the limit.
         constexpr double sure = 2;
         const Estimate& water =
             outcome.quantities[schema_.measured.offset("water_use")];

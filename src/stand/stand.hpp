@@ -16,15 +16,15 @@
 
 namespace ideotype {
 
-//! Returns the accuracy of a task; finalists are evaluated more accurately.
-//! @throws Error of wrong usage if the tolerance of the task is impossible.
+//! Returns the accuracy of a task; it is higher for finalists.
+//! @throws Error for wrong usage if the tolerance of the task is impossible.
 Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 
-//! Returns the random numbers of a task: common to all candidates of a
-//! generation, and independent ones for all finalists. If each row has
-//! independent light, rows share only the field, or nothing if there are
-//! several fields, since standard errors then include differences between
-//! fields.
+//! Returns the random numbers of a task. They are common to all candidates of a
+//! generation; finalists use different ones, which are common to all finalists.
+//! If each row has independent light, rows share only the field. With several
+//! fields they share nothing, since standard errors then include differences
+//! between fields.
 Randomness randomness_of(const Task& task, const Campaign& campaign,
                          const Case& chosen);
 
@@ -34,30 +34,31 @@ struct Sampling {
     Randomness randomness;
 };
 
-//! Returns the sampling of a task; that of an empty task is for generation 0.
-//! @throws Error as accuracy_of()
+//! Returns the sampling of a task; an empty task gets that of generation 0.
+//! @throws Error like accuracy_of()
 Sampling sampling_of(const Task& task, const Campaign& campaign,
                      const Case& chosen);
 
-//! Returns the approximate cost of the evaluation of a finalist, relative to
-//! one in the search.
+//! Returns the approximate cost of evaluating a finalist, relative to an
+//! evaluation in the search.
 double final_effort(const Campaign& campaign);
 
-//! Returns layers of 0.25 m up to the largest possible height of leaves.
+//! Returns layers of 0.25 m up to the greatest possible height of leaves.
 Layers canopy_layers(const Campaign& campaign);
 
 //! Returns the scene of the baseline in a case, or in the first of its
 //! scenarios. The scene can be reused for other plants.
 Scene scene_of(const Campaign& campaign, const Case& chosen);
 
-//! Returns the optional details that a campaign needs for each plant.
+//! Returns the optional details that a campaign needs for every plant.
 Details details_of(const Campaign& campaign);
 
-//! Returns the request to evaluate plants in a scene of a campaign: the plant
-//! of the main crop, then those of optimised components. Components beyond the
-//! end of the list keep the plants of the scene.
-//! @param chosen the case of the scene; at a stage, plants have the age, the
-//! share of paths and the random numbers of the stage
+//! Returns the request to evaluate plants in a scene of a campaign. The list
+//! contains the plant of the main crop followed by those of optimised
+//! components. Components beyond the end of the list use the plants of the
+//! scene.
+//! @param in the case of the scene; at a stage, plants have the age, the share
+//! of paths and the random numbers of the stage
 CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
                          const Case& in, Scene scene, const Plants& plants);
 
@@ -65,14 +66,14 @@ CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy);
 
-//! Returns an objective (of one component, weighted or of all plants, as the
-//! campaign states), or another scalar quantity.
+//! Returns an objective or another scalar quantity. As the campaign states, an
+//! objective is for one component, weighted over components or for all plants.
 //! @throws Error if the report has no quantity of this name.
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report);
 
-//! Returns the land equivalent ratio as the objective of a campaign, with a
-//! standard error that includes those of sole-crop yields.
+//! Returns the land equivalent ratio as the objective of a campaign; its
+//! standard error includes the errors of sole-crop yields.
 Estimate land_equivalent_ratio(const Campaign& campaign,
                                const CanopyReport& report);
 
@@ -88,7 +89,7 @@ double lai_of_line(const Mesh& plant, double ground_per_plant);
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report);
 
-//! An outcome with each of its quantities by randomisation.
+//! An outcome with values of its quantities by randomisation.
 struct RandomisedOutcome {
     Outcome outcome;
     //! Quantities [randomisation, quantity]; NaN where unknown by
@@ -96,10 +97,10 @@ struct RandomisedOutcome {
     std::vector<std::vector<double>> quantities;
 };
 
-//! The scenarios of one case, set up once for all plants that are evaluated.
+//! The scenarios of one case, set up once for all plants to be evaluated.
 class Stand {
   public:
-    //! Refers to the campaign, which must outlive the stand.
+    //! Stores a reference to the campaign, which must outlive the stand.
     Stand(const Campaign& campaign, const Case& chosen);
 
     //! Returns the schema of outcomes in the search or in final evaluations.
@@ -107,19 +108,19 @@ class Stand {
         return is_final ? final_schema_ : schema_;
     }
 
-    //! Sets up the scenes of all scenarios, which the first evaluation does
-    //! otherwise. Then several threads may evaluate, each with a different
+    //! Sets up the scenes of all scenarios; otherwise the first evaluation does
+    //! so. After this call several threads may evaluate, each with a different
     //! device.
     void prepare();
 
-    //! Returns the outcome in all scenarios, a pure function of plants and
+    //! Returns the outcome over all scenarios, a pure function of plants and
     //! sampling.
-    //! @throws Error as ideotype::evaluate()
+    //! @throws Error like ideotype::evaluate()
     Outcome evaluate(const Plants& plants, const Sampling& sampling,
                      const Device& device);
 
     //! Returns the outcome of evaluate() with quantities by randomisation.
-    //! Plants with equal sampling have common random numbers.
+    //! Plants with equal sampling use common random numbers.
     RandomisedOutcome evaluate_by_randomisation(const Plants& plants,
                                                 const Sampling& sampling,
                                                 const Device& device);

@@ -55,23 +55,24 @@ class Assimilation {
     }
 
   private:
-    //! The error of a flux that comes from that of light, to first order in the
-    //! flux of leaves and to second order in their light.
+    //! The error of a flux due to the error of light. It is computed to first
+    //! order in the flux of leaves and to second order in their light.
     struct Noise {
         Noise(std::size_t randomisations, const LeafPlaces& places)
             : sky(places.pieces()),
               differences(randomisations, std::vector<double>(places.count())) {
         }
 
-        Weights weights{};  //!< weights in steps of one sun and sky
-        SkyWeights sky;     //!< weights in steps of one sky
-        double whole = 0;   //!< sizes of amounts in steps of one sun and sky
-        //! Differences [randomisation][place], without the part that all
-        //! randomisations share.
+        Weights weights{};  //!< weights, summed over steps of one sun and sky
+        SkyWeights sky;     //!< weights, summed over steps of one sky
+        //! Sum of absolute amounts in steps of one sun and sky.
+        double whole = 0;
+        //! Differences [randomisation][place], without the part common to all
+        //! randomisations.
         std::vector<std::vector<double>> differences;
     };
 
-    //! Adds steps that share a sun and a sky.
+    //! Adds the steps that share a sun and a sky.
     void add(int beam, const SkyLight& sky,
              const std::vector<std::size_t>& steps) {
         const PairLight pair(tallies_, lit_leaves_, places_, expectation_, beam,
@@ -94,8 +95,8 @@ class Assimilation {
             const std::vector<double> sums =
                 pair.scatter(noise.weights, noise.sky, noise.differences);
             const double mean = average(sums);
-            // The error of each step is assumed to be proportional to the size
-            // of its value.
+            // The error of each step is assumed to be proportional to its
+            // absolute value.
             for (std::size_t r = 0; r < sums.size(); ++r)
                 for (const std::size_t i : steps) {
                     double& flux = all_[k][r].steps[i];
@@ -105,7 +106,7 @@ class Assimilation {
         }
     }
 
-    //! Adds a step, and the weights of the moments in the step.
+    //! Adds a step, and the weights that moments have in its fluxes.
     void add(std::size_t i, int beam, const SkyLight& sky, StepLight& light) {
         const TimeStep& step = light_.series.steps[i];
         const auto scale = [&](int source, double irradiance) {
@@ -162,8 +163,8 @@ class Assimilation {
         take_steps(i, whole / amount);
     }
 
-    //! Adds the weights of moments in fluxes of water and heat in the step.
-    //! Errors of assimilation are those at the temperature of the air.
+    //! Adds the weights that moments have in the step's fluxes of water and
+    //! heat. Errors of assimilation are computed at air temperature.
     void weigh_water(std::size_t i, const StepLight& light) {
         if (tallies_.size() == 1) return;
         const TimeStep& step = light_.series.steps[i];
@@ -175,8 +176,8 @@ class Assimilation {
         }
     }
 
-    //! Notes the fluxes of a step.
-    //! @param gross assimilation at the temperature of the air
+    //! Adds the fluxes of a step to all tallies.
+    //! @param gross gross assimilation at air temperature
     void take_steps(std::size_t i, double gross) {
         for (std::size_t k = 0; k < all_.size(); ++k) {
             double sum = k == 0 ? gross : 0;
@@ -211,7 +212,7 @@ class Assimilation {
         }
     }
 
-    //! Sums pseudo-values of places to those of leaves, layers and rows.
+    //! Adds the pseudo-values of places to those of groups, layers and rows.
     void add_up(std::size_t k) {
         const std::vector<std::vector<double>>& differences =
             noise_[k].differences;
@@ -239,17 +240,17 @@ class Assimilation {
     LeafPlaces places_;
     ExpectedLight expectation_;
     std::optional<WaterFluxes> water_{};
-    std::vector<double> mean_;    //!< gross assimilation of places
-    std::vector<Noise> noise_{};  //!< noise of each LeafFlux
-    Weights of_step_{};           //!< weights in gross assimilation of a step
-    FluxTallies all_;             //!< pseudo-values of each LeafFlux
+    std::vector<double> mean_;    //!< gross assimilation by place
+    std::vector<Noise> noise_{};  //!< noise by LeafFlux
+    Weights of_step_{};  //!< weights in the gross assimilation of a step
+    FluxTallies all_;    //!< pseudo-values by LeafFlux
 };
 
 }  // namespace
 
 FluxTallies assimilate(const std::vector<Tally>& tallies, const Pieces& pieces,
                        const LitLeaves& lit) {
-    // The jackknife of a product leaves out two randomisations at a time.
+    // The jackknife of a product omits two randomisations at a time.
     IDEOTYPE_EXPECT(tallies.size() == 1 || tallies.size() > 2);
     IDEOTYPE_EXPECT(lit.photons > 0);
     return Assimilation(tallies, pieces, lit).result();

@@ -12,8 +12,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the leaf of each group, from 0 for the lowest. If any group has no
-//! rank, all groups are one leaf.
+//! Returns the leaf index of each group, 0 for the lowest leaf. If any group
+//! has no rank, all groups count as one leaf.
 std::vector<std::size_t> leaves_of(const std::vector<Group>& groups,
                                    const std::vector<std::size_t>& some) {
     std::vector<std::size_t> leaf;
@@ -25,7 +25,7 @@ std::vector<std::size_t> leaves_of(const std::vector<Group>& groups,
     return leaf;
 }
 
-//! Sets the groups of a component's non-leaf organs.
+//! Sets the entries of groups that are non-leaf organs of a component.
 void set_organs(const Component& component, std::uint32_t number,
                 const std::vector<Group>& groups,
                 std::vector<LeafGroup>& result) {
@@ -46,7 +46,7 @@ void set_organs(const Component& component, std::uint32_t number,
             parts += is_own(g) ? 1 : 0;
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (!is_own(g)) continue;
-            // Where each face is a group, all have equal shares of the mass.
+            // If each face is a group, the mass is divided equally among them.
             const double share =
                 1 / (static_cast<double>(parts) * component.ground_per_plant);
             LeafGroup& group = result[g];
@@ -63,7 +63,7 @@ void set_organs(const Component& component, std::uint32_t number,
     }
 }
 
-//! Returns the leaf area index of the leaves of a group's component.
+//! Returns the total leaf area index of the component to which a group belongs.
 double lai_of_component(const std::vector<LeafGroup>& leaves, std::size_t group,
                         std::span<const double> leaf_area_index) {
     double sum = 0;
@@ -74,8 +74,8 @@ double lai_of_component(const std::vector<LeafGroup>& leaves, std::size_t group,
     return sum;
 }
 
-//! Returns the plants of a group's component in a field over those of its line,
-//! by their leaf area.
+//! Returns the leaf area of a group's component in a field relative to plants
+//! that do not deviate from their line.
 double share_of_line(const std::vector<LeafGroup>& leaves, std::size_t group,
                      std::span<const double> leaf_area_index) {
     const double line = leaves[group].lai_of_line;
@@ -83,8 +83,8 @@ double share_of_line(const std::vector<LeafGroup>& leaves, std::size_t group,
                     : 1;
 }
 
-//! Returns the amount of a group that respires: leaf area index, or dry mass
-//! per ground area [kg m-2].
+//! Returns the amount of a group that respires: leaf area index, or dry mass of
+//! an organ per ground area [kg m-2].
 double respiring(const std::vector<LeafGroup>& leaves, std::size_t group,
                  std::span<const double> leaf_area_index) {
     return leaves[group].organ
@@ -93,14 +93,14 @@ double respiring(const std::vector<LeafGroup>& leaves, std::size_t group,
                : leaf_area_index[group];
 }
 
-//! Returns the dry mass of leaves [kg m-2], or 1, that of a mass of an organ.
+//! Returns the dry mass per leaf area [kg m-2]; for an organ, 1.
 double unit_mass(const LeafGroup& group) {
     constexpr double kg_per_g = 1e-3;
     return group.organ ? 1 : group.photosynthesis->leaf_mass * kg_per_g;
 }
 
-//! Returns the rate at which a leaf [umol m-2 s-1] or the dry mass of an organ
-//! [umol kg-1 s-1] respires in the dark, with its roots.
+//! Returns the dark respiration rate, including that of roots, of a leaf [umol
+//! m-2 s-1] or of the dry mass of an organ [umol kg-1 s-1].
 double respiration_rate(const LeafGroup& group, double temperature) {
     const double rate = group.organ
                             ? maintenance_respiration(
@@ -112,8 +112,8 @@ double respiration_rate(const LeafGroup& group, double temperature) {
                maintenance_respiration(group.roots.maintenance, temperature);
 }
 
-//! Returns the carbon that building leaf area [mol m-2] or the dry mass of an
-//! organ costs [mol kg-1], with its roots.
+//! Returns the carbon cost, including that of roots, of building leaf area [mol
+//! m-2] or the dry mass of an organ [mol kg-1].
 double building_cost(const LeafGroup& group) {
     // WOFOST, temperate maize: CVR.
     constexpr double of_roots = carbon_per_carbohydrate / 0.69;
@@ -123,8 +123,8 @@ double building_cost(const LeafGroup& group) {
     return cost + group.roots.share * unit_mass(group) * of_roots;
 }
 
-//! Returns the leaf area, or the dry mass of an organ, per ground area that is
-//! built: all, unless plants grow.
+//! Returns the leaf area, or the dry mass of an organ, that is built per ground
+//! area: the whole amount, unless plants grow.
 double built(const std::vector<LeafGroup>& leaves, std::size_t group,
              std::span<const double> leaf_area_index) {
     return leaves[group].built
@@ -137,7 +137,7 @@ double built(const std::vector<LeafGroup>& leaves, std::size_t group,
 
 namespace {
 
-//! Returns the share that a part of a field has of the plants of a component.
+//! Returns the share of a component's plants that are in a part of a field.
 double share_of_plants(const std::vector<LeafGroup>& leaves, std::size_t group,
                        std::span<const double> part,
                        std::span<const double> whole) {
@@ -279,7 +279,7 @@ double FluxTally::sum() const {
 
 namespace {
 
-//! Returns the respiration of leaves, or of an organ, in one step of a mean
+//! Returns the respiration of leaves, or of an organ, during one step of a mean
 //! day.
 //! @param amount see respiring()
 double respiration(const LeafGroup& group, double amount,
@@ -307,16 +307,15 @@ CarbonLoss respiration(const LeafGroup& group, double amount,
             result.at_night += lost;
         known += step.seconds;
     }
-    if (series.grows) return result;  // further stages add the rest
-    // Nights that the series leaves out have no weather.
+    if (series.grows) return result;  // other stages add the rest
+    // The series has no weather for the nights that it omits.
     constexpr double day = 86400;
     result.at_night += scale * std::max(0., series.days * day - known) *
                        respiration_rate(group, Air{}.temperature);
     return result;
 }
 
-//! Returns net assimilation less respiration at night after silking by
-//! randomisation.
+//! Returns gross assimilation less respiration after silking, by randomisation.
 //! @param tallies tallies of AssimilationReport::before_losses()
 std::vector<double> late_net(const std::vector<FluxTally>& tallies,
                              const std::vector<LeafGroup>& leaves,
@@ -343,7 +342,7 @@ std::vector<double> late_net(const std::vector<FluxTally>& tallies,
     return net;
 }
 
-//! Returns losses by randomisation, which follow the leaf area of the field.
+//! Returns losses by randomisation. They depend on the leaf area of the field.
 std::vector<std::vector<CarbonLoss>> losses_by_randomisation(
     const AssimilationReport& report, const std::vector<LeafGroup>& leaves,
     const std::vector<double>& leaf_area_index) {
@@ -357,7 +356,8 @@ std::vector<std::vector<CarbonLoss>> losses_by_randomisation(
     return all;
 }
 
-//! Adds the respiration of ears, which follows the carbon that fills them.
+//! Adds the respiration of ears, in proportion to the carbon available for
+//! them.
 void add_ears(const std::vector<LeafGroup>& leaves,
               AssimilationReport& report) {
     if (std::ranges::none_of(

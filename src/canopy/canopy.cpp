@@ -32,8 +32,8 @@ Scene with_a_group_per_face(Scene scene) {
     return scene;
 }
 
-//! Follows light in all fields after the first one, which several threads
-//! share; each needs a separate device.
+//! Computes the light in all fields after the first one. Several threads share
+//! the fields; each thread uses a separate device.
 std::vector<FieldLight> light_in_others(const Evaluation& evaluation,
                                         const FirstLook& look,
                                         const Device& device,
@@ -86,7 +86,7 @@ Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces) {
     const double enough =
         std::min(paths_per_face * static_cast<double>(faces), most_paths) /
         accuracy.randomisations;
-    // Sobol' nets are most even at powers of two.
+    // Sobol' nets are most uniform at powers of two.
     const int paths = 1 << static_cast<int>(std::ceil(std::log2(enough)));
     IDEOTYPE_ENSURE(paths >= enough);
     return {std::max(accuracy.paths, paths), accuracy.randomisations, 0,

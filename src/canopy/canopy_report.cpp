@@ -13,8 +13,8 @@ namespace ideotype {
 
 namespace {
 
-//! The largest relative error of the energy balance of a randomised day that
-//! may come from rounding.
+//! The largest relative error of the energy balance in one randomisation that
+//! rounding can explain.
 constexpr double balance_tolerance = 1e-9;
 
 PlantForm form_of(const Plant& plant, const Tessellation& tessellation) {
@@ -64,8 +64,8 @@ class Reporter {
     }
 
   private:
-    //! Reports the form of the plant of the first component, which does not
-    //! depend on light.
+    //! Reports the form of the first component's plant, which does not depend
+    //! on light.
     void report_plant() {
         if (scene_.components.empty() || !scene_.components.front().plant)
             return;
@@ -85,8 +85,8 @@ class Reporter {
             const double dead = result_.grows ? dead_area(component.mesh) /
                                                     component.ground_per_plant
                                               : 0;
-            // Dead leaves are flat and count in full, but the area of organs,
-            // which contains dead leaves, counts by half.
+            // Dead leaves are flat and count with their one-sided area. The
+            // area of organs includes them, but only by half.
             const double index =
                 lai + found_.areas[c].other_organs / fields + dead / 2;
             result_.components.push_back({component.name, lai, index,
@@ -100,7 +100,8 @@ class Reporter {
         for (const FixedObject& each : scene_.objects) {
             const std::vector<double> faces = face_areas(each.mesh);
             double area = 0;
-            // A moving object has a group per pose, all of the same area.
+            // A moving object contains one group per orientation, all with the
+            // same area.
             for (std::size_t f = 0; f < faces.size(); ++f)
                 if (each.mesh.groups[each.mesh.face_group[f]].pose <= 1)
                     area += faces[f];
@@ -144,7 +145,7 @@ class Reporter {
         }
     }
 
-    //! Reports the leaf area of each row and the carbon that it loses.
+    //! Reports the leaf area and the carbon losses of each row.
     void report_rows() {
         const Cell& cell = scene_.cell;
         const std::size_t groups = lines_.groups.size();
@@ -177,14 +178,15 @@ class Reporter {
         }
     }
 
-    //! Returns the losses of a row by randomisation, if these have fields of
-    //! their own.
+    //! Returns the losses of a row, by randomisation if each randomisation uses
+    //! a separate field.
     std::vector<CarbonLoss> losses_of_row(std::size_t row) const {
         const AssimilationReport& all = *result_.assimilation;
         std::vector<CarbonLoss> losses(all.losses_by_randomisation.size());
         for (std::size_t r = 0; r < losses.size(); ++r) {
             const FluxTally& tally = all.before_losses().tallies[r];
-            // Randomisations of one field have its leaf area.
+            // Without separate fields, all randomisations use the leaf area of
+            // the one field.
             const bool is_own = !tally.leaf_area.empty();
             const std::vector<double>&area =
                       is_own ? tally.leaf_area : found_.leaf_area_index,
@@ -198,7 +200,8 @@ class Reporter {
         return losses;
     }
 
-    //! Returns the component with plants, with leaves or not, in a row.
+    //! Returns the component with plants in a row, whether or not they have
+    //! leaves.
     std::uint32_t component_of_row(std::size_t row) const {
         for (std::uint32_t c = 0; c < scene_.components.size(); ++c)
             for (const Place& place : scene_.components[c].places)
@@ -237,8 +240,8 @@ class Reporter {
             result_.light_classes = ideotype::report(found_.light_classes);
     }
 
-    //! Returns the light that falls on sides of objects per area, computed from
-    //! the light that the sides absorb.
+    //! Returns the incident light per area on the sides of objects, computed
+    //! from the light that they absorb.
     std::vector<PartLight> light_on_objects(
         const Optics& optics, std::vector<PartLight> absorbed) const {
         absorbed.resize(2 * scene_.objects.size());
@@ -257,7 +260,7 @@ class Reporter {
         return absorbed;
     }
 
-    //! Returns the light of each component and then of each object.
+    //! Returns the light of each component, then of each object.
     std::vector<PartReport> parts_of(const std::vector<Tally>& tallies) const {
         std::vector<PartReport> parts;
         const std::size_t count =

@@ -15,10 +15,10 @@ namespace ideotype {
 
 namespace {
 
-//! The number of samples of diffuse light at the lowest level.
+//! The number of diffuse-light samples at the lowest level.
 constexpr std::size_t fewest_samples = 2;
 
-//! The odds of each level over those of the next lower level.
+//! The probability of each level relative to the next lower level.
 const double next_level = std::pow(2., -1.5);
 
 //! Sums of light by source.
@@ -104,7 +104,8 @@ class Referee {
                static_cast<std::uint32_t>(randomisation);
     }
 
-    //! Adds points of one randomisation, from the first to before the last.
+    //! Adds points of one randomisation: those from `first` up to, not
+    //! including, `last`.
     void add(std::uint32_t number, int first, int last, RandomStream& random,
              FluxTally& tally) {
         PathSampler places(randomness_.seed, randomness_.generation, number, 0);
@@ -155,7 +156,7 @@ class Referee {
         return light;
     }
 
-    //! Adds the response to diffuse light and the beam, times a weight.
+    //! Adds the response to diffuse light and the beam, multiplied by a weight.
     void add_rates(const LeafPoint& point, const Sums& diffuse, double weight) {
         for (std::size_t i = 0; i < rate_.size(); ++i) {
             const Irradiance& par = light_.series.steps[i].par;
@@ -181,11 +182,11 @@ class Referee {
     const SeriesIllumination& light_;
     Layers layers_;
     Randomness randomness_;
-    //! Photons that the face that absorbs most in each group of leaves absorbs
-    //! per unit of irradiance; light at points is relative to these photons.
+    //! Photons absorbed per unit of irradiance by the more absorbing face of
+    //! each leaf group. Light at points is relative to this amount.
     std::vector<double> absorbed_;
     FluxTally empty_;
-    std::vector<double> amount_;  //!< amount over rate, by step [mol s umol-1]
+    std::vector<double> amount_;  //!< amount per rate, by step [mol s umol-1]
     std::vector<LeafResponse> response_;  //!< responses [group][step]
 
     // Sums over the beams at one point.

@@ -59,7 +59,7 @@ DiffuseLight::DiffuseLight(const std::vector<Tally>& tallies, int source,
 
 namespace {
 
-//! Joins each place to a number of neighbours on its leaf.
+//! Pools each place with a number of neighbours on its leaf.
 std::vector<std::uint32_t> joined(const LeafPlaces& places,
                                   std::uint32_t size) {
     std::vector<std::uint32_t> first(places.count());
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> joined(const LeafPlaces& places,
     return first;
 }
 
-//! Returns all light except that of beams, [place][randomisation].
+//! Returns all light except direct beams, [place][randomisation].
 std::vector<double> all_diffuse(const LeafPlaces& places,
                                 const std::vector<Tally>& tallies) {
     const std::size_t n = tallies.size();
@@ -85,8 +85,8 @@ std::vector<double> all_diffuse(const LeafPlaces& places,
     return light;
 }
 
-//! Returns the relative variance of the mean of diffuse light over joined
-//! places, weighted by leaf area.
+//! Returns the relative variance of mean diffuse light over pooled places,
+//! weighted by leaf area.
 double relative_variance(const LeafPlaces& places,
                          const std::vector<std::uint32_t>& first,
                          const std::vector<double>& light, std::size_t n) {
@@ -100,7 +100,8 @@ double relative_variance(const LeafPlaces& places,
     for (std::size_t p = 0; p < places.count(); ++p) {
         const Estimate mean = estimate({&of_joined[p * n], n});
         all += index[p];
-        // A place that paths of a single randomisation met has a variance of 1.
+        // A place hit by paths of a single randomisation has a relative
+        // variance of 1.
         sum +=
             index[p] *
             (mean.mean > 0 ? std::pow(mean.standard_error / mean.mean, 2) : 1);

@@ -10,8 +10,8 @@ namespace ideotype {
 
 namespace {
 
-//! Adds an area spread evenly over 20 umol m-2 s-1 around its light, so that
-//! classes change smoothly with light that is not exactly known.
+//! Adds an area spread evenly over 20 umol m-2 s-1 around its light. Classes
+//! then change smoothly with light that contains noise.
 void add(std::vector<double>& classes, double ppfd, double area) {
     constexpr double reach = 10;
     const std::size_t upper = class_of(ppfd + reach);
@@ -22,15 +22,17 @@ void add(std::vector<double>& classes, double ppfd, double area) {
     classes[lower] += (1 - above) * area;
 }
 
-//! A triangle that a beam meets, and the beam's light on it.
+//! A triangle hit by a beam, with the beam's light on it.
 struct Hit {
     std::uint32_t place;
     double cosine;
     double absorptance;
-    std::vector<double> area;  //!< area of all, and without each [m2 m-2]
+    //! Area from all randomisations, then without each [m2 m-2].
+    std::vector<double> area;
 };
 
-//! Returns the mean of all randomisations, and the means without each of them.
+//! Returns the mean over all randomisations, followed by the means without each
+//! one.
 std::vector<double> all_and_without(const std::vector<double>& values) {
     const auto n = static_cast<double>(values.size());
     double sum = 0;
@@ -69,8 +71,8 @@ class Classification {
     }
 
   private:
-    //! Returns the diffuse light per area of leaf by place [J m-2], from all
-    //! randomisations and from all without each.
+    //! Returns the diffuse light per leaf area by place [J m-2]: from all
+    //! randomisations, then without each one.
     std::vector<std::vector<double>> diffuse_of(int source) const {
         DiffuseLight all(tallies_, source, places_.pieces());
         std::vector<std::vector<double>> result{expectation_.of(all)};
@@ -150,8 +152,8 @@ class Classification {
         }
     }
 
-    //! Returns classes by randomisation: their mean is the estimate from all
-    //! randomisations, their scatter that of the pseudo-values of a jackknife.
+    //! Returns classes by randomisation. Their mean is the estimate from all
+    //! randomisations; their scatter is that of jackknife pseudo-values.
     std::vector<LightClasses> values() const {
         const auto n = static_cast<double>(tallies_.size());
         std::vector<LightClasses> result(tallies_.size(),
@@ -174,9 +176,10 @@ class Classification {
     const SeriesIllumination& light_;
     LeafPlaces places_;
     ExpectedLight expectation_;
-    //! Diffuse light [source][all, and without each][place].
+    //! Diffuse light [source][all, then without each][place].
     std::vector<std::vector<std::vector<double>>> diffuse_;
-    std::vector<LightClasses> classes_;  //!< areas from all, and without each
+    //! Areas from all randomisations, then without each.
+    std::vector<LightClasses> classes_;
 };
 
 }  // namespace

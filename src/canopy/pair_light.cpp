@@ -11,53 +11,55 @@
 
 namespace ideotype {
 
-// Derivation. Leaves of a place absorb the diffuse light D = a S + b K per leaf
-// area in a step: S and K are the light of the sun's and of the sky's source, a
-// and b are `Scales`. With the expected light E = a s + b k (s and k are
-// `expected`), the response of leaves is to second order
+// Derivation. In a step, the leaves of a place absorb the diffuse light D = a S
+// + b K per leaf area. S and K are the light of the sun's and of the sky's
+// source; a and b are `Scales`. With the expected light E = a s + b k (s and k
+// are `expected`), the response of leaves is to second order
 //
 //     f(D) = f(E) + f' [a (S - s) + b (K - k)]
 //          + f'' / 2 [a^2 (S - s)^2 + 2 a b (S - s)(K - k) + b^2 (K - k)^2],
-//          (1)
+//                                                                     (1)
 //
 // which Scales::weigh() writes as weights of the differences and products in
-// `Moments`. Light is known as sums x_r and y_r of the paths that meet a piece
-// in each of n randomisations, per ground area; p = `per_index` is the ground
-// area per leaf area, X = sum x_r, Y = sum y_r and P = sum x_r y_r. Since
-// different randomisations are independent, the mean product over all pairs of
-// them has no bias:
+// `Moments`. In each of n randomisations, light is known as the sums x_r and
+// y_r of the paths that hit a piece, per ground area. p = `per_index` is the
+// ground area per leaf area, X = sum x_r, Y = sum y_r and P = sum x_r y_r.
+// Since different randomisations are independent, the mean product over all
+// pairs of them is unbiased:
 //
 //     <x y> = (X Y - P) / (n (n - 1)). (2)
 //
-// For x of the sun and y of the sky, the estimates of the terms in (1) are
+// With x from the sun and y from the sky, the estimates of the terms in (1) are
 //
-//     S - s           : d  = p X / n - s, (3) (S - s)^2       : p^2 <x x> - 2 s
-//     p X / n + s^2
-//                         = p^2 <x x> - s (2 d + s), (4)
+//     S - s           : d = p X / n - s,                              (3)
+//     (S - s)^2       : p^2 <x x> - 2 s p X / n + s^2
+//                       = p^2 <x x> - s (2 d + s),                    (4)
 //     (S - s) (K - k) : p^2 <x y> - s p Y / n - k p X / n + s k
-//                         = p^2 <x y> - s (e + k) - k d, e = p Y / n - k. (5)
+//                       = p^2 <x y> - s (e + k) - k d,
+//                         e = p Y / n - k.                            (5)
 //
-// A beam of energy b_r on a triangle in randomisation r gains the leaf
-// [f(D + B) - f(D)] / B per energy, see gain(), which is expanded in the same
-// way. Its moments are means over hits, weighted by energy; with B = sum b_r,
+// For a beam of energy b_r on a triangle in randomisation r, the leaf gains
+// [f(D + B) - f(D)] / B per unit of energy, see gain(); this is expanded in the
+// same way. Its moments are means over hits, weighted by energy; with B = sum
+// b_r,
 //
 //     S - s : p <b x> / (B / n) - s. (6)
 //
-// The scatter of a sum of such terms follows from pseudo-values of a jackknife,
-// n T - (n - 1) T_(r), where T_(r) leaves randomisation r out. Of a mean, the
-// part that differs among randomisations is x_r; of (2) it is
+// The scatter of a sum of such terms is computed from jackknife pseudo-values,
+// n T - (n - 1) T_(r), where T_(r) omits randomisation r. For a mean, the part
+// that differs between randomisations is x_r; for (2) it is
 //
 //     (X y_r + Y x_r - 2 x_r y_r) / (n - 2). (7)
 //
-// Weights of the light itself follow from (3) to (5): with w, w2 and w11 as the
-// weights of S - s, (S - s)^2 and (S - s)(K - k), the light x_r has the weight
+// Weights of the light follow from (3) to (5). If w, w2 and w11 are the weights
+// of S - s, (S - s)^2 and (S - s)(K - k), the weight of x_r is
 //
 //     p (w - 2 s w2 - k w11) (8)
 //
-// to first order, plus that of (7). A jackknife makes the variance of products
-// of noise twice too large (Efron and Stein 1981,
-// doi:10.1214/aos/1176345462), so the part of a pseudo-value that is of second
-// order is multiplied by sqrt(1/2). (9)
+// to first order, plus the weight from (7). A jackknife makes the variance of
+// products of noise twice too large (Efron and Stein 1981,
+// doi:10.1214/aos/1176345462). The second-order part of a pseudo-value is
+// therefore multiplied by sqrt(1/2). (9)
 
 SkyLight::SkyLight(const std::vector<Tally>& tallies, int number,
                    const LeafPlaces& places, const ExpectedLight& expectation)
@@ -96,7 +98,7 @@ PairLight::PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
 //! Compares the diffuse light of each piece with the expected diffuse light.
 void PairLight::compare() {
     std::vector<double> squares(places_.pieces()), products(places_.pieces());
-    // Sums P of products in each randomisation, which (2) subtracts.
+    // Sums P of products in each randomisation, which are subtracted in (2).
     for (std::size_t r = 0; r < tallies_.size(); ++r)
         for (const auto& [v, energy] : sun_.parts[r]) {
             squares[v] += energy * energy;
@@ -124,8 +126,8 @@ void PairLight::compare() {
     }
 }
 
-//! Sums the energy of beams on each triangle, and its products with the diffuse
-//! light of the triangle's piece, for (6).
+//! Sums the energy of beams on each triangle, and the products of this energy
+//! with the diffuse light of the triangle's piece, for (6).
 void PairLight::find_hits(const LitLeaves& lit, const Source& source) {
     IDEOTYPE_EXPECT(source.direction.has_value());
     const Surfaces& all = lit.scene.surfaces();
@@ -157,8 +159,9 @@ void PairLight::find_hits(const LitLeaves& lit, const Source& source) {
 
 namespace {
 
-//! Returns the step of a cosine, 1/16 of a power of two wide: beams in a step
-//! act by their mean. Beams below the least cosine have hardly any effect.
+//! Returns the bin of a cosine; bins are 1/16 of a power of two wide. Beams in
+//! a bin are represented by their mean. Beams below the least cosine have
+//! hardly any effect.
 std::uint32_t step_of(double cosine) {
     constexpr int dropped_bits = 19;
     constexpr float least = 1 / 64.f;
@@ -169,16 +172,16 @@ std::uint32_t step_of(double cosine) {
 
 }  // namespace
 
-//! Joins the hits of each place into bins of about equal cosines.
+//! Collects the hits of each place in bins of similar cosines.
 void PairLight::sort_hits() {
-    // Hits in the order of places, by counting.
+    // Sort hits by place (counting sort).
     std::vector<std::size_t> end(places_.count() + 1);
     for (const Hit& hit : hits_) ++end[places_.of[hit.piece] + 1];
     std::partial_sum(end.begin(), end.end(), end.begin());
     std::vector<Hit*> order(hits_.size());
     for (Hit& hit : hits_) order[end[places_.of[hit.piece]]++] = &hit;
-    // Places have few bins, so that a linear search finds that of a cosine.
-    std::vector<std::uint32_t> steps;  // steps of the bins of a place
+    // Each place has few bins, so a linear search is sufficient.
+    std::vector<std::uint32_t> steps;  // bin numbers of the current place
     std::size_t i = 0;
     for (std::uint32_t p = 0; p < places_.count(); ++p) {
         const std::size_t first = bins_.size();
@@ -207,7 +210,7 @@ void PairLight::add(const Hit& hit, Bin& bin) const {
     const double energy = hit.energy / n_;
     Moments moments = differ_[v];
     moments.one = 1;
-    // Equation (6): the pieces that a beam meets may differ in diffuse light.
+    // Equation (6): the pieces hit by a beam may differ in diffuse light.
     moments.sun =
         per * product(hit.energy, sun_.sum[v], hit.with_sun) / energy -
         expected_[bin.place];
@@ -221,12 +224,12 @@ void PairLight::add(const Hit& hit, Bin& bin) const {
 //! The factor of products in (9).
 constexpr double of_products = std::numbers::sqrt2 / 2;
 
-//! Returns the weights of light itself in a randomisation, and of squares and
-//! products, given the weights of differences in the mean that moments have.
-//! The light of a hit alone is left out.
+//! Returns the weights of light in a randomisation, and of squares and
+//! products, from the weights of differences in the mean of the moments. The
+//! light of single hits is not included.
 std::vector<Moments> PairLight::weights_of_pieces(const Weights& weights,
                                                   SkyWeights& of_sky) const {
-    // Weights of the moments of each piece, of its places and of its hits.
+    // For each piece: the weights of its moments, its place and its ray hits.
     std::vector<Moments> of_pieces(places_.pieces());
     for (std::size_t v = 0; v < places_.pieces(); ++v)
         if (places_.per_index[v] > 0)
@@ -234,7 +237,8 @@ std::vector<Moments> PairLight::weights_of_pieces(const Weights& weights,
                              1 / places_.per_index[v]);
     for (const Hit& hit : hits_) {
         Moments of_bin = weights.bins[hit.bin];
-        // The part B x_r / (n - 2) of (7); weight_of_beam() has the others.
+        // The part B x_r / (n - 2) of (7); weight_of_beam() adds the other
+        // parts.
         of_bin.sun *= n_ / (n_ - 2);
         of_bin.sky *= n_ / (n_ - 2);
         of_pieces[hit.piece].add(of_bin, hit.energy / n_);
@@ -244,11 +248,11 @@ std::vector<Moments> PairLight::weights_of_pieces(const Weights& weights,
         const double sun = expected_[places_.of[v]];
         const double sky = sky_.expected[places_.of[v]];
         Moments& w = of_pieces[v];
-        // Equation (8), the weights of light itself.
+        // Equation (8): the weights of light.
         w.sun = per * (w.sun - 2 * sun * w.sun2 - sky * w.sun_sky);
         w.sky = per * (w.sky - 2 * sky * w.sky2 - sun * w.sun_sky);
         // Equation (7): the parts that are linear in the light of the
-        // randomisation join the weights of light.
+        // randomisation are added to the weights of light.
         for (double* of_product : {&w.sun2, &w.sun_sky, &w.sky2})
             *of_product *= per * per / (n_ - 2);
         w.sun += 2 * w.sun2 * sun_.sum[v] + w.sun_sky * sky_.light.sum[v];
@@ -279,13 +283,13 @@ std::vector<double> PairLight::scatter(
             differences[r][places_.of[v]] += amount;
             sums[r] += amount;
         };
-        // Diffuse light of the sun: linear parts, and -2 x_r y_r of (7).
+        // Diffuse light of the sun: linear parts, and -2 x_r y_r from (7).
         for (const auto& [v, x] : sun_.parts[r]) {
             sun[v] = x;
             const Moments& w = of_pieces[v];
             add(v, x * (w.sun - 2 * (w.sun2 * x + w.sun_sky * sky_.in(r, v))));
         }
-        // Beams: their energy, and (X b_r - 2 x_r b_r) of (7).
+        // Beams: their energy, and (X b_r - 2 x_r b_r) from (7).
         if (beam_ >= 0)
             for (const auto& [t, energy] :
                  tallies_[r].leaf_light[static_cast<std::size_t>(beam_)].beam) {

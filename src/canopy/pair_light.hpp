@@ -8,8 +8,9 @@
 namespace ideotype {
 
 //! The terms of a function of diffuse light, expanded to second order about the
-//! expected light: differences of the light of a sun and a sky, and their
-//! products, summed over pieces or hits; or the weights of these terms.
+//! expected light: the deviations of a sun's and a sky's light, and their
+//! products. Values are sums over pieces or hits, or the weights of these
+//! terms.
 struct Moments {
     double one = 0, sun = 0, sky = 0, sun2 = 0, sun_sky = 0, sky2 = 0;
 
@@ -37,23 +38,23 @@ struct SkyLight {
         return by_piece[r * light.sum.size() + piece];
     }
 
-    int source;  //!< number of the source; -1: none
+    int source;  //!< index of the source; -1: none
     DiffuseLight light;
-    std::vector<double> expected;  //!< light by place, per area of leaf [J m-2]
+    std::vector<double> expected;  //!< light by place, per leaf area [J m-2]
     std::vector<double> by_piece;  //!< light [randomisation][piece]
     std::vector<double> by_place;  //!< light [randomisation][place]
     std::vector<double> squares;   //!< sums over randomisations, by piece
 };
 
 //! The weights of moments in a result, such as the assimilation of all leaves,
-//! summed over the steps that share a sun and a sky.
+//! summed over the steps with the same sun and sky.
 struct Weights {
     std::vector<Moments> places;  //!< weights of PairLight::moments()
     std::vector<Moments> bins;    //!< weights of PairLight::bins()
 };
 
-//! The weights in a result of the light of a sky in a randomisation, and of the
-//! square of that light, by piece; summed over the suns that share the sky.
+//! The weights of a sky's light and of its square in a result, by piece, for
+//! one randomisation. They are summed over the suns that share the sky.
 struct SkyWeights {
     explicit SkyWeights(std::size_t pieces) : light(pieces), square(pieces) {}
 
@@ -61,21 +62,21 @@ struct SkyWeights {
 };
 
 //! The light of a sun and a sky that several time steps share, over all
-//! randomisations. The sums of each step are computed from it. Noise does not
-//! bias products: each is averaged over pairs of different randomisations (a
-//! U-statistic, Hoeffding 1948, doi:10.1214/aoms/1177730196).
+//! randomisations. The sums of each step are computed from this light. Noise
+//! does not bias products: each is averaged over pairs of different
+//! randomisations (a U-statistic, Hoeffding 1948, doi:10.1214/aoms/1177730196).
 class PairLight {
   public:
-    //! Hits of beams at one place that have about the same cosine: the beam on
-    //! the leaf over the beam on level ground that the leaf's more absorbing
-    //! face would need to absorb as much.
+    //! Beam hits at one place with about the same cosine. The beam irradiance
+    //! of level ground times this cosine is the irradiance at which the leaf's
+    //! more absorbing face would absorb as much as the leaf does.
     struct Bin {
         std::uint32_t place = 0;
         double cosine = 0;
         Moments moments{};
     };
 
-    //! @param beam number of the beam's source; -1: none
+    //! @param beam index of the beam's source; -1: none
     PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
               const LeafPlaces& places, const ExpectedLight& expectation,
               int beam, const SkyLight& sky);
@@ -83,16 +84,17 @@ class PairLight {
     const std::vector<double>& expected() const { return expected_; }
     const std::vector<Moments>& moments() const { return moments_; }
 
-    //! Returns the bins in the order of places.
+    //! Returns the bins, ordered by place.
     const std::vector<Bin>& bins() const { return bins_; }
 
-    //! Adds the differences of the weighted sum of all moments, as
-    //! pseudo-values of a jackknife (Quenouille 1956,
-    //! doi:10.1093/biomet/43.3-4.353; Tukey 1958, doi:10.1214/aoms/1177706647),
-    //! to [randomisation][place]. Differences of products are scaled so that
-    //! their scatter is right. Differences that all randomisations share are
-    //! left out, as is the light of the sky: its weights are added to `of_sky`.
-    //! @return sums by randomisation, with the light of the sky to first order
+    //! Adds the deviations of the weighted sum of all moments to
+    //! [randomisation][place], as jackknife pseudo-values (Quenouille 1956,
+    //! doi:10.1093/biomet/43.3-4.353; Tukey 1958, doi:10.1214/aoms/1177706647).
+    //! Deviations of products are scaled so that their scatter is correct.
+    //! Deviations common to all randomisations are omitted. The light of the
+    //! sky is also omitted; its weights are added to `of_sky`.
+    //! @return sums by randomisation, including the light of the sky to first
+    //! order
     std::vector<double> scatter(
         const Weights& weights, SkyWeights& of_sky,
         std::vector<std::vector<double>>& differences) const;
@@ -105,8 +107,8 @@ class PairLight {
         std::uint32_t bin = 0;
     };
 
-    //! Returns the product of the means of x and y without bias, from the sums
-    //! of x, y and x y; from one randomisation, the product of the sums.
+    //! Returns an unbiased product of the means of x and y, from the sums of x,
+    //! y and x y. With a single randomisation, returns the product of the sums.
     double product(double x, double y, double sum) const {
         return n_ > 1 ? (x * y - sum) / (n_ * (n_ - 1)) : x * y;
     }
@@ -117,8 +119,8 @@ class PairLight {
     std::vector<Moments> weights_of_pieces(const Weights& weights,
                                            SkyWeights& of_sky) const;
 
-    //! Returns the weight of a beam's energy in a randomisation.
-    //! @param sun diffuse light of the sun on the piece in this randomisation
+    //! Returns the weight of beam energy in a randomisation.
+    //! @param sun diffuse light from the sun on the piece in this randomisation
     double weight_of_beam(const Hit& hit, const Weights& weights, std::size_t r,
                           double sun) const;
 
@@ -129,14 +131,15 @@ class PairLight {
     const SkyLight& sky_;
     DiffuseLight sun_;
     std::vector<double> expected_;  //!< expected light of the sun
-    std::vector<Moments> moments_;  //!< moments by place, times leaf area index
-    std::vector<Moments> differ_;   //!< differences by piece
-    std::vector<std::uint32_t> hit_;  //!< number of hit by triangle, from 1
+    //! Moments by place, multiplied by leaf area index.
+    std::vector<Moments> moments_;
+    std::vector<Moments> differ_;     //!< deviations by piece
+    std::vector<std::uint32_t> hit_;  //!< hit number of each triangle, from 1
     std::vector<Hit> hits_;
     std::vector<Bin> bins_;
 };
 
-//! The response of leaves to light at some places, with its derivatives.
+//! The responses of leaves to light at several places, with derivatives.
 struct Responses {
     std::vector<double> light, value, slope, curvature;
 
@@ -157,11 +160,11 @@ struct Responses {
     }
 };
 
-//! Returns the gain of leaves in the sun, [f(D + b) - f(D)] / b, with its
-//! derivatives in D: f is the response, D the diffuse light and b the beam.
+//! Returns [f(D + b) - f(D)] / b, the gain of sunlit leaves, with its
+//! derivatives in D. f is the response, D the diffuse light and b the beam.
 inline Expansion gain(const Expansion& shaded, const Expansion& lit,
                       double beam) {
-    // For a weaker beam the difference would be mostly rounding errors.
+    // With weaker beams, the difference would be mostly rounding error.
     constexpr double least = 0.01;
     if (beam < least)
         return {shaded.slope + beam / 2 * shaded.curvature, shaded.curvature,
@@ -171,12 +174,12 @@ inline Expansion gain(const Expansion& shaded, const Expansion& lit,
             (lit.curvature - shaded.curvature) / beam};
 }
 
-//! The diffuse light of the sun's source and of the sky's source in a step,
-//! each over the energy of the source.
+//! Diffuse light of the sun's and of the sky's source in a step, each divided
+//! by the energy of the source.
 struct Scales {
     double of_sun, of_sky;
 
-    //! Returns the weights of moments in a Taylor series of a response.
+    //! Returns the weights of moments in the Taylor series of a response.
     Moments weigh(const Expansion& at, double times) const {
         return {times * at.value,
                 times * at.slope * of_sun,
@@ -187,8 +190,8 @@ struct Scales {
     }
 };
 
-//! The light on leaves in a step, and the response of leaves to it at the
-//! temperature of the air.
+//! The light on leaves in a step, and the response of leaves to this light at
+//! air temperature.
 struct StepLight {
     const PairLight& pair;
     Scales scales{};
@@ -196,7 +199,7 @@ struct StepLight {
     Responses lit{};                        //!< responses by bin
     std::vector<double> beams{};            //!< beams on leaves, by bin
     std::vector<LeafResponse> responses{};  //!< responses by group of plants
-    std::vector<double> of_places{};  //!< amount of gross assimilation by place
+    std::vector<double> of_places{};        //!< gross assimilation by place
 };
 
 }  // namespace ideotype

@@ -14,7 +14,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the front's azimuth from the y axis of a cell in quarter turns.
+//! Returns the azimuth of the front relative to the cell's y axis, in quarter
+//! turns.
 double quarters_of(const PanelRows& panels, double row_direction) {
     return (panels.azimuth - row_direction) / 90;
 }
@@ -81,7 +82,7 @@ Mesh panel_mesh(const PanelRows& panels, const Cell& cell, double row_direction,
                         "m; choose a spacing of rows that divides the cell",
                         panels.name, cell.period_x, cell.period_y));
     const double length = is_endless ? step : panels.module_length;
-    // Turning by whole quarters avoids rounding errors.
+    // Rotating by whole quarters avoids rounding errors.
     const long turn =
         ((std::lround(quarters_of(panels, row_direction)) % 4) + 4) % 4;
     const glm::dvec3 front{turn == 1   ? 1

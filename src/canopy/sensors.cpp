@@ -13,8 +13,8 @@ namespace ideotype {
 
 namespace {
 
-//! Adds the light on a point in each instant, relative to that above the
-//! canopy, given the light of each source relative to that on level ground.
+//! Adds the light on a point at each instant, relative to light above the
+//! canopy. The light of each source is given relative to level ground.
 void add_instants(const SeriesIllumination& light,
                   const std::vector<double>& sources,
                   std::vector<double>& sums) {
@@ -63,7 +63,8 @@ std::vector<std::vector<Estimate>> light_on_sensors(
             for (int i = 0; i < points; ++i) {
                 const double row = cell.rows[random.below(
                     static_cast<std::uint32_t>(cell.rows.size()))];
-                // A side of the row is drawn, since the mean of both counts.
+                // The side of the row is random, since the mean over both sides
+                // is wanted.
                 const double side = random.bits() % 2 == 0 ? 1 : -1;
                 const double across = random.uniform(0, cell.row_distance);
                 const double position = sensors[s].position;

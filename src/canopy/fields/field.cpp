@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a stream of random numbers that is unique to a component.
+//! Returns a stream of random numbers that only this component uses.
 RandomStream stream_of(const Randomness& randomness, Purpose purpose,
                        std::uint32_t component) {
     constexpr std::uint32_t apart = 1u << 24;
@@ -50,7 +50,7 @@ std::vector<double> draw_plant_azimuths(const Component& component,
             turn = stream.uniform(-component.jitter, component.jitter);
         return turns;
     }
-    // Both ranges are divided into equal parts with one turn in each part.
+    // Both ranges are divided into equal parts with one plant in each part.
     const std::size_t crossing =
         std::min(number_of(*across, turns.size(), stream), turns.size());
     for (std::size_t i = 0; i < turns.size(); ++i) {
@@ -83,7 +83,7 @@ void drop_unused_vertices(Mesh& mesh) {
         for (std::uint32_t& v : face) v = place[v];
 }
 
-//! Keeps only the faces with their centre above the kept ground.
+//! Removes faces with centres outside the kept ground.
 void cut_border(Field& field) {
     const auto [x, y, width, depth] = *field.cell.kept;
     Mesh& mesh = field.mesh;
@@ -107,9 +107,9 @@ void cut_border(Field& field) {
 
 enum class Emergence { usual, late, none };
 
-//! Draws which places have no plant and which have a late plant. The numbers of
-//! such places differ from the fractions of the variation by less than one
-//! plant, and are right on average.
+//! Selects at random the positions without a plant and those with a late plant.
+//! Their numbers differ from the specified fractions by less than one plant and
+//! are unbiased.
 std::vector<Emergence> draw_emergence(const Component& component,
                                       RandomStream& stream) {
     const std::size_t count = component.plants();
@@ -125,8 +125,9 @@ std::vector<Emergence> draw_emergence(const Component& component,
     return places;
 }
 
-//! Draws the plants of a component by place; missing plants have no faces.
-//! @param line mesh of a plant that does not deviate
+//! Generates the plants of a component by position; missing plants have no
+//! faces.
+//! @param line mesh of a plant that does not deviate from its line
 std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
                               const Randomness& randomness,
                               std::uint32_t number) {
@@ -134,8 +135,8 @@ std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
     const PlantVariation& variation = component.variation;
     RandomStream stream = stream_of(randomness, Purpose::variation, number);
     const std::vector<Emergence> places = draw_emergence(component, stream);
-    // Plants of the second half deviate opposite to those of the first half:
-    // effects that are linear in deviations then have no noise.
+    // Plants of the second half deviate opposite to those of the first half, so
+    // effects that are linear in the deviations cancel.
     std::vector<RandomStream> pairs;
     std::vector<Mesh> plants(places.size());
     for (std::size_t p = 0; p < places.size(); ++p) {
@@ -193,7 +194,7 @@ void reserve(Field& field, const Scene& scene) {
 
 namespace {
 
-//! Moves the plants of a component from their places on the lattice.
+//! Shifts the plants of a component at random from their lattice positions.
 void deviate(std::vector<Place>& places, const PlantVariation& variation,
              RandomStream stream) {
     if (!(variation.position > 0 || variation.position_across > 0)) return;
@@ -209,7 +210,7 @@ void deviate(std::vector<Place>& places, const PlantVariation& variation,
 std::vector<std::vector<Place>> draw_places(const Scene& scene,
                                             const Randomness& randomness) {
     std::vector<std::vector<Place>> all;
-    std::vector<Place> shared;  // remaining places of the mixture
+    std::vector<Place> shared;  // positions that the mixture has left
     for (const Component& each : scene.components) {
         if (each.mixed > 0 && shared.empty()) {
             shared = each.places;

@@ -11,8 +11,9 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the place of each row of a lattice along x [m]: the first row is
-//! half of the distance to the row before it from the edge of the cell.
+//! Returns the x coordinate of each row of a lattice [m]. The distance of the
+//! first row from the edge of the cell is half of its distance from the row
+//! before it.
 std::vector<double> row_places(const FieldForm& form) {
     std::vector<double> rows;
     const std::vector<double>& pattern = form.row_pattern;

@@ -13,15 +13,15 @@ namespace ideotype {
 
 namespace {
 
-//! Number of points that gives a sunlit fraction to some 0.2 %.
+//! Number of points that determines a sunlit fraction to about 0.2 %.
 constexpr int most_sunlit_points = 2048;
 
-//! A field as it was drawn.
+//! A random field before light is traced.
 struct DrawnField {
     Field field;
     Pieces pieces;          //!< empty if leaves are not cut
     Randomness randomness;  //!< random numbers of the light
-    FieldLight measured{};  //!< its areas, before light falls on it
+    FieldLight measured{};  //!< result of the field, with areas only
 
     const Mesh& mesh() const { return field.mesh; }
 };
@@ -41,7 +41,7 @@ void measure_rows(const Evaluation& all, const std::vector<double>& of_faces,
                 of_faces[f] / all.scene.cell.ground_area;
 }
 
-//! Measures the leaf area index of each group of the lines.
+//! Computes the leaf area index of each group of the lines.
 void measure_groups(const Evaluation& all, const std::vector<double>& of_faces,
                     DrawnField& drawn) {
     const Mesh& mesh = drawn.mesh();
@@ -60,7 +60,7 @@ void measure_groups(const Evaluation& all, const std::vector<double>& of_faces,
             index[mesh.face_group[f]] += of_faces[f] / ground;
 }
 
-//! Measures areas per ground area, and areas of groups if groups are faces.
+//! Computes areas per ground area, and areas of groups if groups are faces.
 void measure(const Evaluation& all, DrawnField& drawn) {
     const Mesh& mesh = drawn.mesh();
     const double ground = all.scene.cell.ground_area;
@@ -112,7 +112,7 @@ LeafArea leaf_area_of(const Evaluation& all,
     return sum;
 }
 
-//! Follows light and assimilation in a field, and collects the results.
+//! Computes light and assimilation in a field and collects the results.
 class FieldPass {
   public:
     FieldPass(const Evaluation& all, const FirstLook& look, DrawnField& drawn,
@@ -182,8 +182,8 @@ class FieldPass {
             found_.light_classes = {mean_of(found_.light_classes)};
     }
 
-    //! Notes the leaf area of this field, with which leaves lose carbon, if
-    //! fields may differ.
+    //! Stores the leaf area of this field, from which carbon losses are
+    //! computed, if fields may differ.
     void note_leaf_area() {
         if (plan_.fields == 1) return;
         for (FluxTally& gross : found_.fluxes.front()) {
@@ -192,7 +192,7 @@ class FieldPass {
         }
     }
 
-    //! Returns the leaves of this field with the light that warms leaves.
+    //! Returns the leaves of this field with the light that heats them.
     WaterLeaves water_leaves(const BandTallies& tallies) const {
         WaterLeaves leaves{scene_, look_.leaves, lines_.groups, lines_.height,
                            drawn_.randomness};
@@ -207,7 +207,7 @@ class FieldPass {
         return leaves;
     }
 
-    //! Measures the assimilating leaf area of each layer.
+    //! Computes the assimilating leaf area of each layer.
     void measure_layers() {
         found_.leaf_area_of_layers.resize(look_.layers.count);
         for (std::size_t v = 0; v < pieces_.count; ++v)
@@ -257,16 +257,16 @@ Subject subject_of(const Evaluation& all, const Layers& layers,
             drawn.pieces.count};
 }
 
-//! Looks at the first field: its light decides how much work the tolerance
-//! needs, which other fields do without trials.
-//! @param simulation takes the light in this field
+//! Simulates the first field with trials. They determine the work that the
+//! tolerance requires; other fields repeat this work without trials.
+//! @param simulation receives the light in this field
 FirstLook look_at(const Evaluation& all, const DrawnField& drawn,
                   const RayScene& surfaces, Simulation& simulation) {
     FirstLook look{all.request.layers};
     if (!(look.layers.thickness > 0))
         look.layers.thickness =
             surfaces.top() / static_cast<double>(look.layers.count);
-    // All fields have equal groups of leaves.
+    // All fields contain the same groups of leaves.
     if (all.scene.assimilates())
         look.leaves =
             leaf_groups(all.scene, all.lines.groups,
@@ -279,7 +279,7 @@ FirstLook look_at(const Evaluation& all, const DrawnField& drawn,
     return look;
 }
 
-//! Traces as much light as the tolerance needed in the first field.
+//! Traces as much light as the tolerance required in the first field.
 Simulation repeat(const Evaluation& all, const FirstLook& look,
                   const DrawnField& drawn, const RayScene& surfaces) {
     const Subject subject = subject_of(all, look.layers, drawn, surfaces);
@@ -292,9 +292,9 @@ Simulation repeat(const Evaluation& all, const FirstLook& look,
     return next;
 }
 
-//! Draws a field and follows the light in it.
-//! @param trace returns the simulation of a drawn field and its surfaces, and
-//! the first look
+//! Generates a random field and computes its light and assimilation.
+//! @param trace returns the simulation of the field and the results that the
+//! first field fixes for all fields
 FieldLight light_in(const Evaluation& all, int number, const Device& device,
                     const Clock& clock, const auto& trace) {
     double last = clock ? clock() : 0;

@@ -13,17 +13,17 @@
 
 namespace ideotype {
 
-//! The names of the bands other than PAR that warm leaves.
+//! The names of bands other than PAR that heat leaves.
 inline constexpr auto nir = "nir", longwave = "longwave";
 
-//! The fields of an evaluation, and how light is traced in each.
+//! The fields of an evaluation, and the sampling of light in each.
 struct Plan {
     explicit Plan(const CanopyRequest& request);
 
-    //! Returns the random numbers of the plants of a field.
+    //! Returns the random numbers that generate the plants of a field.
     Randomness of_plants(int field) const;
 
-    //! Returns the random numbers of the light in a field.
+    //! Returns the random numbers that trace the light in a field.
     Randomness of_light(int field) const {
         return of_field(field, is_one_of_many ? accuracy.randomisations : 1);
     }
@@ -42,53 +42,58 @@ struct Plan {
 
 //! One plant of each component, from which fields are made.
 struct Lines {
-    //! @param scene scene of the request, perhaps with other groups
+    //! @param scene scene of the request, possibly with different groups
     Lines(const Scene& scene, const CanopyRequest& request);
 
-    //! Whether leaves are cut or rows distinguished, and `pieces` is filled.
+    //! Whether leaves are cut or rows distinguished, so that `pieces` is
+    //! filled.
     bool are_cut = false;
     std::vector<Pieces> pieces;  //!< without their meshes
     std::vector<Mesh> meshes;    //!< meshes of the pieces
     std::vector<Group> groups;   //!< groups of the scene before leaves were cut
-    //! Leaf area index of each group, of plants that do not deviate from their
+    //! Leaf area index of each group for plants that do not deviate from their
     //! line; empty if no plants of the scene deviate.
     std::vector<double> leaf_area_index;
     double height = 0;  //!< height of the highest plant [m]
 };
 
-//! Returns the bands in which light is followed, see Evaluation.
-//! @throws Error if leaves have a temperature and there is no near infrared.
+//! Returns the bands in which light is traced, see Evaluation.
+//! @throws Error if leaf temperature is computed and there is no near infrared.
 Bands bands_of(const Scene& scene);
 
-//! An evaluation: the parts that all of its fields share.
+//! The parts of an evaluation that all fields share.
 struct Evaluation {
     const CanopyRequest& request;
-    const Scene& scene;  //!< scene of the request, perhaps with other groups
+    //! Scene of the request, possibly with different groups.
+    const Scene& scene;
     Plan plan{request};
     Lines lines{scene, request};
-    //! The bands of the scene and, if leaves exchange heat, the longwave
-    //! radiation of the sky as a band in which surfaces are black.
+    //! The bands of the scene. If leaves exchange heat, the longwave radiation
+    //! of the sky is added as a band in which all surfaces are black.
     Bands bands = bands_of(scene);
 };
 
-//! Light and assimilation in some fields, by randomisation of all fields or,
-//! where each field is one of many, by field. Areas are sums over fields.
+//! Light and assimilation in some fields, by randomisation of all fields. If
+//! each field counts as one randomisation, by field. Areas are sums over
+//! fields.
 struct FieldLight {
     //! Adds the results of more fields.
     void append(FieldLight more);
 
     BandTallies light;
-    //! Light that leaves absorb by row, where rows are distinguished
-    //! [J m-2 of ground; band, randomisation, row].
+    //! Light absorbed by leaves of each row, where rows are distinguished [J
+    //! m-2 of ground; band, randomisation, row].
     std::vector<std::vector<std::vector<double>>> rows;
     FluxTallies fluxes;  //!< tallies of fluxes, if leaves assimilate
-    std::vector<double> leaf_area_of_layers;  //!< index by layer [m2 m-2]
-    SunlitFractions sunlit;                   //!< estimates by points of leaves
-    SunlitFractions hit_by_sun;               //!< estimates by first hits
+    //! Leaf area index by layer [m2 m-2].
+    std::vector<double> leaf_area_of_layers;
+    SunlitFractions sunlit;      //!< sunlit fractions from points on leaves
+    SunlitFractions hit_by_sun;  //!< sunlit fractions from first hits
     std::vector<LightClasses> light_classes;
-    std::vector<PlantArea> areas;         //!< areas of components [m2 m-2]
-    std::vector<LeafArea> leaf_area;      //!< index by randomisation
-    std::vector<double> leaf_area_index;  //!< index by group of the lines
+    std::vector<PlantArea> areas;     //!< areas of components [m2 m-2]
+    std::vector<LeafArea> leaf_area;  //!< leaf area index by randomisation
+    //! Leaf area index by group of the lines.
+    std::vector<double> leaf_area_index;
     std::vector<double> areas_of_groups;  //!< area of all copies of a face [m2]
     //! Leaf area index by row and group, where rows are distinguished.
     std::vector<double> areas_of_rows;
@@ -98,11 +103,11 @@ struct FieldLight {
     int fields = 0;
 };
 
-//! The facts that the first field decides for all fields.
+//! The results of the first field that apply to all fields.
 struct FirstLook {
     Layers layers{};                  //!< layers with their thickness
     std::vector<LeafGroup> leaves{};  //!< leaves of each group of the lines
-    Simulation trial{};  //!< work that the tolerance needs, without tallies
+    Simulation trial{};  //!< work that the tolerance requires, without tallies
 };
 
 //! The first field of an evaluation.
@@ -111,18 +116,18 @@ struct FirstField {
     FieldLight light;
 };
 
-//! Draws the first field of an evaluation and follows light and assimilation in
-//! it, with as much work as the tolerance needs.
+//! Generates the first field of an evaluation and computes its light and
+//! assimilation, with as much work as the tolerance requires.
 FirstField first_field(const Evaluation& all, const Device& device,
                        const Clock& clock);
 
-//! Draws another field and follows light and assimilation in it: a pure
-//! function, so that fields may be computed at the same time by several
-//! threads, each with a separate device.
+//! Generates another field and computes its light and assimilation. The
+//! function is pure, so several threads may compute fields at the same time,
+//! each with a separate device.
 FieldLight light_in_field(const Evaluation& all, const FirstLook& look,
                           int number, const Device& device, const Clock& clock);
 
-//! Makes the report of an evaluation from the results in its fields.
+//! Makes the report of an evaluation from the results of its fields.
 CanopyReport report_on(const Evaluation& all, const FirstLook& look,
                        const FieldLight& found);
 

@@ -12,17 +12,17 @@ namespace ideotype {
 
 namespace {
 
-//! Least number of randomisations in a field for assimilate().
+//! Smallest number of randomisations per field that assimilate() accepts.
 constexpr int fewest_in_field = 4;
 
-//! Returns whether fields of a scene may differ from each other.
+//! Returns whether the fields of a scene are random and may differ.
 bool are_drawn(const Scene& scene) {
     return std::any_of(
         scene.components.begin(), scene.components.end(),
         [](const Component& each) { return each.plant || each.jitter > 0; });
 }
 
-//! Returns the leaf area index of each group of a scene, for plants that do not
+//! Returns the leaf area index of each group of a scene for plants that do not
 //! deviate from their line.
 std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
     std::vector<double> index;
@@ -66,7 +66,7 @@ Plan::Plan(const CanopyRequest& request)
         accuracy.randomisations = fewest_in_field;
     }
     is_one_of_many = fields > 1 && accuracy.randomisations > 1;
-    // Each source needs a separate path.
+    // Each source needs at least one path.
     accuracy.paths =
         std::max(accuracy.paths,
                  static_cast<int>(request.scene.light().light.sources.size()));
@@ -113,7 +113,7 @@ Bands bands_of(const Scene& scene) {
             "leaves have an energy balance, but the scene has no near "
             "infrared; add a band \"nir\"");
     found->is_by_piece = true;
-    // Near infrared only warms leaves: a tenth of the paths is enough.
+    // Near infrared only heats leaves: a tenth of the paths is sufficient.
     if (!found->is_bounded) found->path_share = 0.1;
     Band sky{longwave, scene.light(), {}, false, true};
     sky.optics.materials.resize(bands.front().optics.materials.size());

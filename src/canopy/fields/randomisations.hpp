@@ -13,13 +13,13 @@
 
 namespace ideotype {
 
-//! Returns the mean of independent randomisations, number by number.
+//! Returns the mean of independent randomisations, element by element.
 std::vector<double> mean_of(const std::vector<std::vector<double>>& all);
 Tally mean_of(const std::vector<Tally>& tallies);
 FluxTally mean_of(const std::vector<FluxTally>& tallies);
 LightClasses mean_of(const std::vector<LightClasses>& classes);
 
-//! Adds numbers place by place; an empty sum becomes a copy of the numbers.
+//! Adds elements by index; an empty sum becomes a copy of the summand.
 template <class All>
 void add(All& all, const All& more) {
     if (all.empty()) all.resize(more.size());
@@ -39,14 +39,14 @@ inline void append(SunlitFractions& all, SunlitFractions more) {
     all.steps = std::move(more.steps);
 }
 
-//! Sums the light that leaves absorb by row [randomisation, row]; none if rows
+//! Sums the light absorbed by leaves by row [randomisation, row]; empty if rows
 //! are not distinguished.
 //! @param groups groups of the pieces' mesh
 std::vector<std::vector<double>> light_of_rows(
     const std::vector<Tally>& tallies, const Pieces& pieces,
     const std::vector<Group>& groups);
 
-//! Adds up the light of pieces to the light of their uncut groups.
+//! Adds the light of pieces to their groups of the uncut mesh.
 void add_up_pieces(std::vector<Tally>& tallies, const Pieces& pieces,
                    std::size_t groups);
 

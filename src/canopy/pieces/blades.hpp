@@ -10,10 +10,10 @@
 
 namespace ideotype {
 
-//! Numbers of faces of a mesh.
+//! Indices of faces of a mesh.
 using Faces = std::vector<std::uint32_t>;
 
-//! Sets of numbers that are joined to each other.
+//! Disjoint sets of indices (union-find).
 class Joined {
   public:
     explicit Joined(std::size_t count) : parent_(count) {
@@ -35,19 +35,20 @@ class Joined {
     std::vector<std::uint32_t> parent_;
 };
 
-//! Returns whether a face belongs to a surface that is cut: a leaf, or an organ
-//! that assimilates.
+//! Returns whether a face belongs to a surface that is cut into pieces: a leaf
+//! or an assimilating organ.
 inline bool is_cut(const Mesh& mesh, std::uint32_t face) {
     return mesh.groups[mesh.face_group[face]].assimilates();
 }
 
-//! Joins the faces of surfaces that are cut and have vertices at the same
-//! place.
-//! @param part part of each group: only faces of equal parts are joined
+//! Joins faces of surfaces that are cut into pieces, if they share coincident
+//! vertices.
+//! @param part part number of each group; only faces with equal numbers are
+//! joined
 Joined joined_faces(const Mesh& mesh, const Faces& part);
 
-//! Returns the faces of each blade, and of each part of an organ that is cut,
-//! in the order of groups and first faces.
+//! Returns the faces of each blade, and of each connected part of other organs
+//! that are cut, in the order of groups and first faces.
 std::vector<Faces> blades(const Mesh& mesh);
 
 }  // namespace ideotype

@@ -9,17 +9,17 @@ namespace ideotype {
 
 namespace {
 
-//! The places of the groups of a component in the pieces of the field.
+//! The indices of a component's groups among the pieces of the field.
 struct Share {
-    std::uint32_t groups;    //!< the first group of the field before it was cut
-    std::uint32_t cut_from;  //!< the first group of the meshes that were cut
-    std::uint32_t pieces;    //!< the first piece
+    std::uint32_t groups;    //!< first group in the uncut field
+    std::uint32_t cut_from;  //!< first group among the meshes that were cut
+    std::uint32_t pieces;    //!< first piece
     std::uint32_t first_plant;
     std::uint32_t others = 0;  //!< first uncut group, row by row
 };
 
-//! Returns the number of plants of each component, counted up to the last one
-//! that has not been cut away.
+//! Returns the number of plants of each component, counted up to the last plant
+//! that is not cut away.
 std::vector<std::uint32_t> plants_of(const Field& field, std::size_t lines) {
     std::vector<std::uint32_t> plants(lines);
     for (std::size_t f = 0, c = 0; f < field.face_plant.size(); ++f) {
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> plants_of(const Field& field, std::size_t lines) {
 }
 
 //! Makes the groups of a field of pieces: first the pieces of leaves, plant by
-//! plant, then the surfaces that are not cut, then fixed objects.
+//! plant, then the uncut surfaces, then fixed objects.
 class FieldGroups {
   public:
     //! @param groups groups of the field
@@ -56,7 +56,7 @@ class FieldGroups {
             add(groups[g], cut_from_++, 0);
     }
 
-    //! Returns the new group of a face, which may be a piece.
+    //! Returns the new group of a face, possibly a piece.
     //! @param group old group of the face
     std::uint32_t group_of(std::uint32_t group, std::uint32_t plant) const {
         if (group >= first_) return group + all_ - first_;
@@ -118,8 +118,8 @@ class FieldGroups {
         cut_from_ += static_cast<std::uint32_t>(line.uncut_groups);
     }
 
-    //! Adds the groups of a component that are not cut, once for each row of
-    //! the field if rows are distinguished.
+    //! Adds the uncut groups of a component, once per row of the field if rows
+    //! are distinguished.
     void add_others(std::size_t c) {
         const Pieces& line = lines_[c];
         shares_[c].others = next();
@@ -134,7 +134,7 @@ class FieldGroups {
     const std::vector<Group>& groups_;
     Pieces& result_;
     std::vector<Share> shares_;
-    std::uint32_t first_ = 0;  //!< first group of the next component
+    std::uint32_t first_ = 0;  //!< first group after all components so far
     std::uint32_t cut_from_ = 0;
     std::uint32_t all_ = 0;  //!< number of groups except objects
 };

@@ -17,14 +17,15 @@ namespace ideotype {
 
 namespace {
 
-//! The width of a blade by the distance from one of its ends along its edges.
+//! The width of a blade as a function of the distance from one of its ends
+//! along edges.
 class WidthProfile {
   public:
     WidthProfile(const Mesh& mesh, const Faces& blade,
                  const std::vector<double>& areas)
         : mesh_(mesh) {
         for (const std::uint32_t f : blade) add_edges(f);
-        // The vertex that is farthest from any other is an end of the blade.
+        // The vertex farthest from any other vertex is an end of the blade.
         const std::vector<double> first = distances_from(0);
         from_end_ = distances_from(static_cast<std::size_t>(
             std::max_element(first.begin(), first.end()) - first.begin()));
@@ -36,7 +37,7 @@ class WidthProfile {
             });
     }
 
-    //! Returns the mean width where a face is [m].
+    //! Returns the mean width of the blade at a face [m].
     double at(std::uint32_t face) const {
         double width = 0;
         if (length_ > 0)
@@ -90,8 +91,8 @@ class WidthProfile {
         return found;
     }
 
-    //! Calls a function with the sections that a face covers, and the share of
-    //! the face in each.
+    //! Calls a function with each section that a face overlaps and the share of
+    //! the face in that section.
     template <class Take>
     void for_each_section(std::uint32_t f, Take take) const {
         double first = length_, last = 0;
@@ -115,10 +116,10 @@ class WidthProfile {
     }
 
     const Mesh& mesh_;
-    std::map<Place, std::size_t> numbers_;  //!< vertices by their place
+    std::map<Place, std::size_t> numbers_;  //!< vertex indices by position
     //! Neighbours of each vertex, and their distances [m].
     std::vector<std::vector<std::pair<std::size_t, double>>> edges_;
-    std::vector<double> from_end_;  //!< distances of vertices from an end [m]
+    std::vector<double> from_end_;  //!< distances of vertices from one end [m]
     double length_ = 0;             //!< length of the blade [m]
     std::array<double, sections> widths_{};  //!< widths by section [m]
 };

@@ -14,7 +14,7 @@
 namespace ideotype {
 
 Joined joined_faces(const Mesh& mesh, const Faces& part) {
-    // A corner is a vertex by the surface it belongs to and by its place.
+    // A vertex identified by its surface and its position.
     using Corner =
         std::tuple<std::uint32_t, double, double, double, std::uint32_t>;
     std::vector<Corner> corners;
@@ -106,7 +106,7 @@ class Cutter {
         cut(mesh, middle, last, pieces - left);
     }
 
-    //! Returns the pieces together with the groups of other organs.
+    //! Returns the pieces, followed by the groups of other organs.
     Pieces result(const Mesh& mesh) {
         result_.count = result_.group.size();
         result_.like.resize(result_.count);
@@ -153,9 +153,10 @@ class Cutter {
 
 Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade) {
     IDEOTYPE_EXPECT(per_blade > 0);
-    // Blades of very fine meshes have more pieces, of this number of faces.
+    // Blades of very fine meshes get more pieces, with this number of faces
+    // each.
     constexpr std::size_t faces_of_piece = 16;
-    // Organs assimilate little, so that few pieces of each are enough.
+    // Organs assimilate little, so a few pieces per organ are sufficient.
     constexpr std::size_t faces_of_organ_piece = 4;
     Cutter cutter(mesh);
     for (Faces& part : blades(mesh)) {

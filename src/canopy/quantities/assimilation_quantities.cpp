@@ -10,10 +10,10 @@ namespace {
 using Values = std::vector<Estimate>;
 
 constexpr double grams_of_co2 = 44.0095;
-//! Tonnes of dry matter per hectare for each mol of carbon per square metre.
+//! Tonnes of dry matter per hectare for 1 mol of carbon per square metre.
 constexpr double tonnes = 10 * dry_matter_per_carbon;
 
-//! Returns assimilation lowered by a loss, times a scale.
+//! Returns assimilation minus a loss, multiplied by a scale.
 Randomised carbon(const CanopyReport& report, Loss loss = Loss::none,
                   double scale = 1) {
     return scaled(assimilation_of_all(*report.assimilation, loss), scale);
@@ -32,7 +32,7 @@ std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
                  report.assimilation->gross.groups, &FluxTally::groups);
 }
 
-//! Returns the assimilation of each leaf less its respiration in the light.
+//! Returns the assimilation of each leaf minus its respiration in light.
 std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
     const FluxReport& flux = flux_before(all, Loss::in_light);
@@ -48,7 +48,7 @@ std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
     return of_leaves(report, groups);
 }
 
-//! Returns the assimilation of leaves over the light that they absorb, with
+//! Returns the assimilation of leaves divided by the light they absorb, with
 //! errors to first order.
 Randomised light_use(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
@@ -69,8 +69,8 @@ Randomised light_use(const CanopyReport& report) {
         });
 }
 
-//! Returns the respiration of leaves by day and night. Fields with more leaves
-//! respire more, and so do leaves that light warms.
+//! Returns the respiration of leaves by day and night. It varies between fields
+//! with leaf area, and with leaf temperature if that is computed.
 Randomised respired(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
     const auto respiration = [](const std::vector<CarbonLoss>& losses) {
@@ -91,8 +91,8 @@ Randomised respired(const CanopyReport& report) {
     return result;
 }
 
-//! Returns numbers of the leaves together and of each other organ, component by
-//! component, from numbers of groups.
+//! Returns values of all leaves together and of each other organ, component by
+//! component, from values of groups.
 Values by_organ(const CanopyReport& report, const auto& sum_of_groups) {
     Values organs;
     for (std::uint32_t c = 0; c < report.components.size(); ++c) {
@@ -141,7 +141,7 @@ Values loss_by_organ(const CanopyReport& report) {
 Values dry_mass_by_organ(const CanopyReport& report) {
     const std::vector<double>& mass = report.assimilation->dry_mass;
     return by_organ(report, [&](const std::vector<std::size_t>& groups) {
-        constexpr double tonnes_per_hectare = 10;  // of 1 kg m-2
+        constexpr double tonnes_per_hectare = 10;  // from kg m-2
         double sum = 0;
         for (const std::size_t g : groups) sum += mass[g];
         return Estimate{tonnes_per_hectare * sum, 0};

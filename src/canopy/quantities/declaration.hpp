@@ -13,14 +13,15 @@
 
 namespace ideotype {
 
-//! Takes a single number from a report; nothing if the report lacks it.
+//! Extracts a single number from a report; nothing if the report lacks it.
 using TakeNumber =
     std::function<std::optional<Randomised>(const CanopyReport&)>;
 
-//! Takes the numbers of a quantity that has axes.
+//! Extracts the numbers of a quantity with axes.
 using TakeNumbers = std::function<std::vector<Estimate>(const CanopyReport&)>;
 
-//! Takes the numbers of a quantity with axes, by randomisation too.
+//! Extracts the numbers of a quantity with axes, including values by
+//! randomisation.
 using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
 
 inline constexpr double grams_of_carbon = 12.011;  //!< molar mass [g mol-1]
@@ -34,13 +35,13 @@ inline Quantity by(std::vector<std::string> axes, Quantity quantity) {
     return quantity;
 }
 
-//! Returns a quantity without error.
+//! Marks a quantity as exact.
 inline Quantity exact(Quantity quantity) {
     quantity.certainty = Certainty::exact;
     return quantity;
 }
 
-//! The properties of a canopy that decide which quantities it has.
+//! The properties of a canopy that determine its quantities.
 struct Scope {
     std::size_t components = 1;
     std::vector<std::string> bands;
@@ -59,21 +60,22 @@ struct Scope {
     }
 };
 
-//! A quantity: its name and unit, its mean over a season, and the way to take
-//! it from a report.
+//! A quantity: its name and unit, the way it is averaged over a season, and a
+//! function that extracts it from a report.
 struct Declaration {
     Quantity quantity;
     MeanOver mean_over;
     std::variant<TakeNumber, TakeNumbers, TakeProfile> take;
-    //! Whether a canopy has the quantity. None: a canopy has it if it has the
-    //! other quantities of the list.
+    //! Whether a canopy has this quantity. None: a canopy that has the other
+    //! quantities of the list has this one too.
     std::function<bool(const Scope&)> is_in{};
     bool is_of_method = false;  //!< whether the quantity describes the method
-    //! Returns the names that the number counts. None: it is a measure.
+    //! Returns the names that the value refers to by number. None: the value is
+    //! a measurement.
     std::function<std::vector<std::string>(const Details&)> names{};
 };
 
-//! Returns the quantities that a canopy has, in the order of their columns.
+//! Returns the quantities of a canopy in the order of their columns.
 std::vector<const Declaration*> declared(const Scope& scope);
 
 //! Returns whether any object is a panel.
@@ -82,9 +84,10 @@ bool has_panels(const std::vector<Object>& objects) {
     return std::ranges::any_of(objects, &Object::is_panel);
 }
 
-//! Returns the quantities of one kind in the order of columns; the columns of
-//! one list follow those of the previous list. Light is PAR, parts are several
-//! components or bands, and objects include the ground around them.
+//! Return the quantities of one kind in the order of columns; the columns of
+//! each list follow those of the previous list. Light quantities are for PAR,
+//! part quantities for several components or bands. Object quantities include
+//! the ground around objects.
 std::vector<Declaration> light_quantities();
 std::vector<Declaration> assimilation_quantities();
 std::vector<Declaration> form_quantities();

@@ -17,7 +17,7 @@ Values to_mj(Values joules) {
     return joules;
 }
 
-//! Returns a part of the light of a mean day.
+//! Returns a part of the light budget of a mean day.
 Randomised part_of_light(const CanopyReport& report,
                          Estimate BudgetEstimate::*part,
                          double (*of)(const Budget&)) {
@@ -30,7 +30,8 @@ Randomised absorbed_by_leaves(const CanopyReport& report) {
                          [](const Budget& day) { return day.leaves; });
 }
 
-//! Takes a part of the incident light as a fraction; 0 without any light.
+//! Extracts a part of the light budget as a fraction of incident light; 0
+//! without light.
 TakeNumber fraction(Estimate BudgetEstimate::*part,
                     double (*of)(const Budget&)) {
     return [=](const CanopyReport& report) {
@@ -44,9 +45,9 @@ TakeNumber fapar() {
                     [](const Budget& day) { return day.leaves + day.organs; });
 }
 
-//! Returns -ln(1 - fAPAR) / LAI with errors to first order; 1 - fAPAR is at
-//! least its standard error. An isolated plot has no extinction coefficient,
-//! since light enters through its sides.
+//! Returns -ln(1 - fAPAR) / LAI with errors to first order. 1 - fAPAR is set to
+//! at least its standard error. The coefficient is undefined for an isolated
+//! plot because light enters through its sides.
 std::optional<Randomised> extinction_coefficient(const CanopyReport& report) {
     if (report.boundary == Boundary::isolated) return std::nullopt;
     const Randomised absorbed = *fapar()(report);
@@ -61,8 +62,8 @@ std::optional<Randomised> extinction_coefficient(const CanopyReport& report) {
                         [&](double x) { return depth + (x - mean) / left; })});
 }
 
-//! Returns the light of the leaves of each component, each followed by that of
-//! its other organs.
+//! Returns the light absorbed by the leaves of each component, followed by the
+//! light absorbed by each of its other organs.
 Values by_organ(const CanopyReport& report) {
     const BandReport& par = report.par();
     Values organs;

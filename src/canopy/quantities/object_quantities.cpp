@@ -27,8 +27,8 @@ Randomised light_on_panels(const CanopyReport& report) {
     return known_to(0, std::move(sums));
 }
 
-//! Returns the light on the ground, from the light that it absorbs; 0 if it
-//! absorbs none.
+//! Returns the light incident on the ground, computed from the light it
+//! absorbs; 0 if it absorbs none.
 Estimate on_ground(const BandReport& band, const Estimate& absorbed) {
     const double kept = 1 - band.soil_albedo;
     return kept > 0 ? scaled(absorbed, 1 / kept) : Estimate{};

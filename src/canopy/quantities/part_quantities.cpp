@@ -30,9 +30,9 @@ bool has_parts(const Scope& scope) {
 
 using Names = std::vector<std::string>;
 
-//! Sums light that is absorbed over some bands [MJ m-2 day-1].
-//! @param absorbed light in a band by randomisation [J m-2 day-1]
-//! @param known light in a band from all randomisations
+//! Sums absorbed light over some bands [MJ m-2 day-1].
+//! @param absorbed light absorbed in a band, by randomisation [J m-2 day-1]
+//! @param known light absorbed in a band, estimated from all randomisations
 template <class Absorbed, class Known>
 Randomised over_bands(const CanopyReport& report, const Names& names,
                       const Absorbed& absorbed, const Known& known) {
@@ -42,7 +42,7 @@ Randomised over_bands(const CanopyReport& report, const Names& names,
         if (std::ranges::find(names, band.name) == names.end()) continue;
         for (std::size_t r = 0; r < sums.size(); ++r)
             sums[r] += absorbed(band, r);
-        // Only by chance would a sum have a smaller error than its parts.
+        // A sum could have a smaller error than its parts only by chance.
         if (names.size() == 1) least = known(band).standard_error;
     }
     return scaled(known_to(least, std::move(sums)), 1 / joule_per_megajoule);
@@ -61,7 +61,7 @@ std::vector<Randomised> absorbed_by_component(const CanopyReport& report,
     return parts;
 }
 
-//! Takes the light that all leaves absorb in some bands together.
+//! Extracts the light that all leaves absorb in several bands together.
 TakeNumber absorbed(Names names) {
     return [names = std::move(names)](const CanopyReport& report) {
         return over_bands(
@@ -73,8 +73,8 @@ TakeNumber absorbed(Names names) {
     };
 }
 
-//! Declares the light that leaves absorb in some bands together, for all
-//! canopies with the last of these bands.
+//! Declares the light that leaves absorb in several bands together, for all
+//! canopies that include the last of these bands.
 Declaration absorbed_in(const std::string& name, const Names& bands,
                         const std::string& light) {
     return {{"absorbed_" + name, daily,
@@ -86,7 +86,7 @@ Declaration absorbed_in(const std::string& name, const Names& bands,
             }};
 }
 
-//! Takes a number for each component and band, components first.
+//! Extracts a number for each component and band, components first.
 template <class Take>
 TakeNumbers by_component_and_band(const Take& take) {
     return [take](const CanopyReport& report) {
@@ -128,11 +128,12 @@ std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
     return parts;
 }
 
-//! Returns how much more net assimilation, or light where leaves do not
-//! assimilate, the mean plant of the first component has than that of the
-//! second, relative to the second's absolute value, so that more is a gain even
-//! where a plant in deep shade loses. The values are pseudo-values of a
-//! jackknife; 0 if the second has nothing.
+//! Returns the relative advantage of the first component's mean plant over the
+//! second's. It is computed from net assimilation or, if leaves do not
+//! assimilate, from absorbed light. Dividing by the absolute value of the
+//! second makes an advantage positive even if a plant in deep shade loses
+//! carbon. The values are jackknife pseudo-values; all are 0 if the value of
+//! the second component is 0.
 Randomised invasion(const CanopyReport& report) {
     const std::vector<Randomised> parts = measure_parts(
         report.assimilation ? "net_assimilation" : "absorbed_par", report);

@@ -15,7 +15,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the quantities of one kind, which are made once.
+//! Returns the quantities of one kind, which are created once.
 template <std::vector<Declaration> (*made)()>
 const std::vector<Declaration>& all_of() {
     static const std::vector<Declaration> all = made();
@@ -73,7 +73,7 @@ bool is_in(const std::vector<Declaration>& all, const std::string& quantity) {
     });
 }
 
-//! Returns the declaration of a quantity that a canopy has, or null.
+//! Returns the declaration of a quantity if a canopy has it, otherwise null.
 const Declaration* find(const std::string& quantity,
                         const Scope& scope = everything) {
     for (const Declaration* each : declared(scope))
@@ -88,7 +88,7 @@ const Declaration& declaration_of(const std::string& quantity) {
     throw std::out_of_range("no quantity " + quantity);
 }
 
-//! Returns whether a canopy has a quantity only because of a subtraction.
+//! Returns whether a quantity requires the properties that `take_away` removes.
 bool needs(const std::string& quantity, const auto& take_away) {
     Scope others = everything;
     take_away(others);

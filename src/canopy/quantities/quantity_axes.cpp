@@ -47,7 +47,7 @@ bool has_plant(const Component& component) {
     return component.plant.has_value();
 }
 
-//! Returns the name of a part of a component, where there are several.
+//! Returns the name of a part, with its component if there are several.
 std::string part_name(const Scene& scene, const Component& component,
                       const std::string& part) {
     return scene.components.size() == 1 ? part : component.name + '_' + part;
@@ -91,7 +91,7 @@ Axis row_axis(const Scene& scene) {
             std::move(names)};
 }
 
-//! Leaves out the axes that have a single place.
+//! Removes the axes that have a single entry.
 Quantity without_short_axes(Quantity quantity, const Scene& scene) {
     std::erase_if(quantity.axes, [&](const std::string& axis) {
         return (axis == "component" && scene.components.size() == 1) ||

@@ -40,8 +40,8 @@ Randomised certain(const CanopyReport& report, double value) {
 
 namespace {
 
-//! Returns a loss, apart from respiration that
-//! AssimilationReport::before_losses() contains already [mol m-2 day-1].
+//! Returns a loss without the respiration that is already subtracted in
+//! AssimilationReport::before_losses() [mol m-2 day-1].
 double amount(const CarbonLoss& losses, Loss loss) {
     switch (loss) {
         case Loss::none:
@@ -91,8 +91,8 @@ Randomised per_leaf_area(const CanopyReport& report, const Randomised& number,
             return number.by_randomisation[r] -
                    ratio * (report.leaf_area_by_randomisation[r].*of);
         });
-    // The error of a number is larger than the scatter of its randomisations
-    // shows where these agree by chance.
+    // If randomisations agree by chance, their scatter underestimates the
+    // error.
     const double scatter = estimate(number.by_randomisation).standard_error;
     const double error = number.estimate.standard_error;
     if (error > scatter)

@@ -8,26 +8,26 @@
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/mapped.hpp"
 
-//! Arithmetic of numbers that a report has with their standard errors and by
+//! Arithmetic of values in a report that have standard errors and values by
 //! randomisation.
 namespace ideotype {
 
 Randomised scaled(Randomised x, double factor);
 
-//! Returns the mean of values with an error not below the least one.
+//! Returns the mean of values with a standard error of at least `least`.
 Randomised known_to(double least, std::vector<double> values);
 
-//! Combines the numbers of all places with the numbers of each randomisation
-//! [randomisation, place].
+//! Combines estimates with their values by randomisation [randomisation,
+//! place].
 std::vector<Randomised> randomised(
     const std::vector<Estimate>& estimates,
     const std::vector<std::vector<double>>& by_randomisation,
     double factor = 1);
 
-//! Returns a value that is the same in all randomisations.
+//! Returns a value without error, equal in all randomisations.
 Randomised certain(const CanopyReport& report, double value);
 
-//! The respiration and building by which a number is less than gross
+//! The respiration and construction that are subtracted from gross
 //! assimilation.
 enum class Loss {
     none,         //!< gross assimilation
@@ -36,19 +36,19 @@ enum class Loss {
     all,          //!< carbon balance
 };
 
-//! Returns the flux from which a loss is taken by lowered(), which contains the
-//! respiration of AssimilationReport::before_losses().
+//! Returns the flux from which lowered() subtracts a loss. Where the loss
+//! includes respiration, this is AssimilationReport::before_losses().
 const FluxReport& flux_before(const AssimilationReport& report, Loss loss);
 
-//! Returns assimilation lowered by losses. Fields with more leaves lose more,
-//! so that errors are those of differences.
-//! @param mean,flux flux_before() the loss, and its values by randomisation
-//! @param losses losses by randomisation; none: all have the mean loss
+//! Returns assimilation minus losses. Fields with more leaves have larger
+//! losses, so errors are computed from the differences.
+//! @param mean,flux flux_before() of the loss, and its values by randomisation
+//! @param losses losses by randomisation; empty: all are equal to the mean loss
 Randomised lowered(const Estimate& mean, std::vector<double> flux,
                    const CarbonLoss& lost,
                    const std::vector<CarbonLoss>& losses, Loss loss);
 
-//! Returns the assimilation of all leaves lowered by a loss.
+//! Returns the assimilation of all leaves minus a loss.
 Randomised assimilation_of_all(const AssimilationReport& report, Loss loss);
 
 //! Returns a flux along groups or layers.
@@ -57,9 +57,9 @@ std::vector<Randomised> along(const std::vector<FluxTally>& tallies,
                               std::vector<double> FluxTally::*part);
 
 //! Returns a ratio R = Y / X of means with its error to first order (Cochran
-//! 1977, Sampling Techniques, section 6.4): that of the mean of
-//! R + (y_r - R x_r) / X over randomisations r.
-//! @param left function for y_r - R x_r
+//! 1977, Sampling Techniques, section 6.4): the error of the mean of R + (y_r -
+//! R x_r) / X over randomisations r.
+//! @param left returns y_r - R x_r
 template <class Left>
 Randomised ratio_with_error(double ratio, double denominator,
                             std::size_t randomisations, const Left& left) {
@@ -71,16 +71,16 @@ Randomised ratio_with_error(double ratio, double denominator,
     return result;
 }
 
-//! Returns a number per leaf area of fields, or 0 without leaves, with errors
-//! to first order.
+//! Returns a value divided by the leaf area of fields, or 0 without leaves,
+//! with errors to first order.
 //! @param lai mean leaf area index of all fields
 Randomised per_leaf_area(const CanopyReport& report, const Randomised& number,
                          double lai, double LeafArea::*of);
 
-//! Returns a number per area of all leaves.
+//! Returns a value divided by the area of all leaves.
 Randomised per_leaf_area(const CanopyReport& report, const Randomised& number);
 
-//! Sums numbers of groups over those that are wanted by their SurfaceId.
+//! Sums values over the groups selected by their SurfaceId.
 double over_groups(const CanopyReport& report,
                    const std::vector<double>& groups, const auto& is_wanted) {
     IDEOTYPE_EXPECT(groups.size() == report.groups.size());
@@ -90,15 +90,15 @@ double over_groups(const CanopyReport& report,
     return sum;
 }
 
-//! Sums numbers of groups over the leaves of a component.
+//! Sums values of groups over the leaves of a component.
 double over_leaves(const CanopyReport& report,
                    const std::vector<double>& groups, std::size_t component);
 
-//! Sums numbers of groups over all organs of a component.
+//! Sums values of groups over all organs of a component.
 double over_plants(const CanopyReport& report,
                    const std::vector<double>& groups, std::size_t component);
 
-//! Returns the numbers of the groups that are leaves.
+//! Returns the values of the groups that are leaves.
 template <class Number>
 std::vector<Number> of_leaves(const CanopyReport& report,
                               const std::vector<Number>& groups) {

@@ -13,8 +13,8 @@ namespace {
 
 using Rows = std::vector<Randomised>;
 
-//! Returns the light that leaves of each row absorb in each band
-//! [MJ m-2 day-1 of all ground].
+//! Returns the light absorbed by leaves of each row in each band [MJ m-2 day-1
+//! of all ground].
 std::vector<Rows> light_of_rows(const CanopyReport& report) {
     return mapped(report.bands, [](const BandReport& band) {
         return randomised(band.rows, band.rows_by_randomisation,
@@ -22,8 +22,8 @@ std::vector<Rows> light_of_rows(const CanopyReport& report) {
     });
 }
 
-//! Returns the assimilation of each row, lowered by a loss
-//! [mol m-2 day-1 of all ground].
+//! Returns the assimilation of each row minus a loss [mol m-2 day-1 of all
+//! ground].
 Rows assimilation_of_rows(const CanopyReport& report, Loss loss) {
     Rows rows;
     for (std::size_t row = 0; row < report.rows.size(); ++row) {
@@ -44,7 +44,8 @@ Rows lai_of_rows(const CanopyReport& report) {
     });
 }
 
-//! Converts figures of rows from per area of all ground to per own ground.
+//! Converts row values per area of all ground to values per area of the row's
+//! ground.
 Rows on_own_ground(const CanopyReport& report, Rows rows) {
     for (std::size_t row = 0; row < rows.size(); ++row)
         rows[row] = scaled(std::move(rows[row]),
@@ -52,8 +53,8 @@ Rows on_own_ground(const CanopyReport& report, Rows rows) {
     return rows;
 }
 
-//! Sums figures of the rows of each component per area of all ground, and
-//! converts them to per area of the ground of these rows.
+//! Sums row values, per area of all ground, over the rows of each component,
+//! and converts the sums to values per area of the ground of these rows.
 Rows on_own_strip(const CanopyReport& report, Rows rows) {
     Rows strips;
     for (std::size_t c = 0; c < report.components.size(); ++c) {
@@ -71,8 +72,8 @@ Rows on_own_strip(const CanopyReport& report, Rows rows) {
     return strips;
 }
 
-//! A function for figures of rows per area of all ground, for each band of an
-//! axis or once.
+//! Extracts row values per area of all ground, either for each band of an axis
+//! or once.
 using Take = std::function<std::vector<Rows>(const CanopyReport&)>;
 
 Rows places_first(const std::vector<Rows>& bands) {
@@ -82,8 +83,8 @@ Rows places_first(const std::vector<Rows>& bands) {
     return all;
 }
 
-//! Takes a figure of rows per area of the rows' own ground, or of the strip of
-//! their component.
+//! Extracts row values per ground area of each row, or per ground area of the
+//! strip of a component.
 TakeProfile of_ground(const Take& take, Rows (*of)(const CanopyReport&, Rows)) {
     return [take, of](const CanopyReport& report) {
         std::vector<Rows> bands = take(report);
@@ -92,7 +93,7 @@ TakeProfile of_ground(const Take& take, Rows (*of)(const CanopyReport&, Rows)) {
     };
 }
 
-//! Declares a figure by row and by strip.
+//! Declares a quantity by row and by strip.
 void add_figure(std::vector<Declaration>& all, const Quantity& figure,
                 MeanOver mean_over, const Take& take,
                 bool assimilates = false) {

@@ -48,7 +48,8 @@ Randomised water_use(const CanopyReport& report) {
     return flux(report.water->transpiration, report.days);
 }
 
-//! Returns net assimilation over transpired water, with errors to first order.
+//! Returns net assimilation divided by transpired water, with errors to first
+//! order.
 Randomised efficiency(const CanopyReport& report) {
     const AssimilationReport& carbon = *report.assimilation;
     const FluxReport& water = report.water->transpiration;

@@ -3,7 +3,7 @@
 
 namespace ideotype {
 
-//! Adds the weights of moments in hot leaf area: beams are all that decides
+//! Adds the weights that moments have in hot leaf area. Only beams determine
 //! which leaves of a place are hot.
 void WaterFluxes::weigh_hot(const StepLight& light, double amount,
                             Weights& all) const {

@@ -19,8 +19,8 @@ double fourth_power(double x) {
     return x * x * x * x;
 }
 
-//! Returns the mean light of a source on each place, over the energy of the
-//! source [m2 m-2].
+//! Returns the mean light of a source on each place, divided by the energy of
+//! the source [m2 m-2].
 std::vector<double> seen(const OtherLight& light, int source,
                          const LeafPlaces& places,
                          const ExpectedLight& expectation) {
@@ -84,7 +84,8 @@ void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
         {&Place::view, &Place::wind, &Place::width, &Place::nir_absorptance});
 }
 
-//! Divides assimilating leaves of each component into classes of similar area.
+//! Divides the assimilating leaves of each component into classes with similar
+//! total leaf area.
 void LeafAir::find_classes() {
     constexpr std::uint32_t most = classes_per_component;
     const std::size_t components = leaves_.scene.components.size();
@@ -108,7 +109,8 @@ void LeafAir::find_classes() {
     });
 }
 
-//! Gives each class's mean place the means of its places by leaf area.
+//! Assigns each class's mean place the averages of its places, weighted by leaf
+//! area.
 void LeafAir::take_means(std::initializer_list<double Place::*> parts) {
     for (double Place::*const part : parts) {
         for (std::uint32_t c = 0; c < classes(); ++c)
@@ -133,7 +135,7 @@ void LeafAir::meet(int beam, int sky) {
         take_means({into});
     };
     take(beam, &Place::nir_of_sun);
-    // Suns under one sky follow each other.
+    // Suns with the same sky are consecutive.
     if (is_new_sky) take(sky, &Place::nir_of_sky);
 }
 

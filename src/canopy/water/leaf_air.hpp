@@ -13,19 +13,19 @@
 
 namespace ideotype {
 
-//! The air among the leaves of a canopy relative to the air above.
+//! The state of the air within the canopy relative to the air above.
 struct CanopyAir {
     double warmer = 0;   //!< temperature difference [K]
     double moister = 0;  //!< vapour pressure difference [kPa]
 };
 
-//! The light in a band other than PAR that the leaves of a field absorb.
+//! The light absorbed by the leaves of a field in a band other than PAR.
 struct OtherLight {
     const Band& band;
     const std::vector<Tally>& tallies;  //!< tallies with leaf light
 };
 
-//! The leaves of a canopy that exchange heat and water.
+//! The leaves of a canopy that exchange heat and water with the air.
 struct WaterLeaves {
     const Scene& scene;                    //!< scene with LeafWater
     const std::vector<LeafGroup>& leaves;  //!< leaves of each group of plants
@@ -33,36 +33,37 @@ struct WaterLeaves {
     double height;                         //!< height of the canopy [m]
     Randomness randomness;                 //!< random numbers of the light
     std::optional<OtherLight> nir{}, longwave{};
-    //! Least number of points with a solved balance, in all steps together.
+    //! Smallest number of points at which the energy balance is solved, summed
+    //! over steps.
     double points = 3000;
 };
 
-//! The exchange of points of leaves with the air in a field, step by step.
+//! The exchange between points on leaves and the air in a field, step by step.
 class LeafAir {
   public:
-    //! A part of the leaves at a place.
+    //! A part of the leaves at a place, in light or in shade.
     struct Point {
         std::size_t place = 0;
         double ppfd = 0;    //!< absorbed light [umol m-2 s-1]
-        double cosine = 0;  //!< cosine of PairLight::Bin; 0: shaded
-        Expansion gross{};  //!< assimilation in the air above
+        double cosine = 0;  //!< cosine of PairLight::Bin; 0: in the shade
+        Expansion gross{};  //!< gross assimilation in the air above
     };
 
-    //! The fluxes of a point, per area of leaf.
+    //! The fluxes at a point, per leaf area.
     using Fluxes = std::array<Expansion, leaf_fluxes>;
 
     explicit LeafAir(const WaterLeaves& leaves);
 
     const WaterLeaves& leaves() const { return leaves_; }
 
-    //! Returns whether an energy balance gives the temperature of leaves.
+    //! Returns whether leaf temperature follows from an energy balance.
     bool warms() const { return water_.has_leaf_temperature; }
 
-    //! Takes the properties of places that are equal in all steps.
+    //! Sets the properties of places that are equal in all steps.
     void see(const LeafPlaces& places, const ExpectedLight& expectation);
 
-    //! Returns the class of a group: a class has leaves of one component with
-    //! neighbouring ranks.
+    //! Returns the class of a group. A class contains leaves of one component
+    //! with neighbouring ranks.
     std::uint32_t class_of(std::uint32_t group) const { return class_[group]; }
 
     static constexpr std::uint32_t classes_per_component = 4;
@@ -70,70 +71,74 @@ class LeafAir {
     //! Returns the number of classes.
     std::size_t classes() const { return means_.size(); }
 
-    //! Returns the group with the largest leaf area of a class; none if no
+    //! Returns the group with the largest leaf area in a class; none if no
     //! leaves of the class assimilate.
     std::optional<std::uint32_t> largest_of(std::uint32_t number) const {
         return means_[number].largest;
     }
 
-    //! Returns a place in the largest group of a class that has the means of
-    //! the places of the class.
+    //! Returns an additional place that represents a class. It belongs to the
+    //! largest group of the class, and its properties are means over the class.
     std::size_t mean_place(std::uint32_t number) const {
         return places_->count() + number;
     }
 
-    //! Takes the light of a sun and a sky that steps share; -1: none.
+    //! Sets the indices of the sun and sky sources that the next steps share;
+    //! -1: none.
     void meet(int beam, int sky);
 
-    //! Begins a step, in the air above the canopy.
+    //! Begins a step, with leaves in the air above the canopy.
     void begin(std::size_t step);
 
-    //! Sets the air among the leaves in the step.
+    //! Sets the state of the air within the canopy in this step.
     void set_air(const CanopyAir& air);
 
-    //! Returns by how much a leaf is warmer than the air above when it counts
-    //! as hot [K].
+    //! Returns the excess of leaf temperature over the air above at which a
+    //! leaf counts as hot [K].
     double hot_over_air(std::uint32_t group) const {
         return hot_leaf - leaf_[group]->above.temperature;
     }
 
-    //! Returns the canopy air that follows if leaves lose this heat and water
-    //! [W m-2, mmol m-2 s-1]; the air above if canopy air has no own state.
+    //! Returns the state of the canopy air if leaves lose the given heat and
+    //! water [W m-2, mmol m-2 s-1]. Without separate canopy air, returns that
+    //! of the air above.
     //! @param group group of some of the leaves
     CanopyAir driven_by(std::uint32_t group, double heat, double water) const;
 
-    //! Returns the surroundings of a point of leaves, if warms().
+    //! Returns the surroundings of a point on a leaf, if warms().
     LeafSurroundings around(const Point& point) const;
 
     //! Solves the energy balance of a point.
-    //! @param like a point in similar light and air to start from; null: none
+    //! @param like solution for a point in similar light and air, used as the
+    //! starting point; null: none
     LeafExchange solve(const Point& point, const LeafExchange* like) const;
 
-    //! Returns the fluxes of a point that was solved.
+    //! Returns the fluxes at a point from its solution.
     Fluxes fluxes_of(const LeafExchange& found, const Point& point) const;
 
   private:
     struct Place {
         std::uint32_t group = 0;  //!< group of plants
-        double view = 0;          //!< view of the sky, sum of both faces
-        double wind = 1;          //!< wind over that at the top
-        double width = 0;         //!< width of the blade at the place [m]
+        double view = 0;          //!< sky view factor, summed over both faces
+        double wind = 1;   //!< wind speed relative to the top of the canopy
+        double width = 0;  //!< width of the blade at this place [m]
         double nir_of_sun = 0, nir_of_sky = 0;  //!< energy [J m-2 of leaf]
         double nir_absorptance = 0;
     };
-    //! The light and the wind of a step that all leaves share.
+    //! The light and the wind of a step, common to all leaves.
     struct Sky {
         double longwave = 0;  //!< radiation of the sky [W m-2]
-        double wind = 0;      //!< wind at the top [m s-1]
+        double wind = 0;      //!< wind at the top of the canopy [m s-1]
         double nir_of_sun = 0, nir_of_sky = 0, nir_beam = 0;
     };
-    //! The leaves of a group in the air of a step.
+    //! The leaves of a group and their air in a step.
     struct Leaf {
         ThermalLeaf leaf;
-        LeafSurroundings above;     //!< surroundings at the top, without light
-        double vapour = 0;          //!< vapour pressure above [kPa]
-        double respiration = 0;     //!< dark rate [umol m-2 s-1]
-        LeafSurroundings within{};  //!< surroundings in canopy air
+        //! Surroundings at the top of the canopy, without light.
+        LeafSurroundings above;
+        double vapour = 0;          //!< vapour pressure above the canopy [kPa]
+        double respiration = 0;     //!< dark respiration [umol m-2 s-1]
+        LeafSurroundings within{};  //!< surroundings in the canopy air
         double black = 0;           //!< black body radiation [W m-2]
     };
 
@@ -152,14 +157,15 @@ class LeafAir {
     const LightSeries& series_;
     const LeafPlaces* places_ = nullptr;
     const ExpectedLight* expectation_ = nullptr;
-    std::vector<Place> at_;             //!< places, then means of classes
+    std::vector<Place> at_;  //!< places, followed by the mean places of classes
     std::vector<double> index_;         //!< leaf area index by group
     std::vector<std::uint32_t> class_;  //!< class by group
-    std::vector<Mean> means_;           //!< leaves by class
+    std::vector<Mean> means_;           //!< mean leaves by class
     int beam_ = -1, sky_ = -1;
     Sky light_;
     double resistance_ = 0;  //!< resistance to the air above [s m-1]
-    std::vector<std::optional<Leaf>> leaf_;  //!< leaf by group, if assimilating
+    //! Leaf by group, if it assimilates.
+    std::vector<std::optional<Leaf>> leaf_;
 };
 
 }  // namespace ideotype

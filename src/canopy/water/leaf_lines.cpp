@@ -8,7 +8,7 @@ namespace ideotype {
 
 void LeafLines::add(std::uint32_t group, double ppfd, double cosine,
                     double area) {
-    // Rounding may make the shaded area of a place slightly negative.
+    // By rounding, the shaded area of a place may be slightly negative.
     if (!(area > 0)) return;
     Mean& mean = of(group).means[cosine > 0 ? 1 : 0];
     mean.area += area;
@@ -16,8 +16,8 @@ void LeafLines::add(std::uint32_t group, double ppfd, double cosine,
     mean.cosine += area * cosine;
 }
 
-//! Finds the mean leaves of classes. A class without leaves in sun or shade
-//! gets a leaf in the dark.
+//! Computes the mean leaves of classes. If a class has no leaves in the sun or
+//! in the shade, a leaf in the dark is used.
 void LeafLines::find_points(const std::vector<LeafResponse>& responses) {
     for (std::uint32_t c = 0; c < classes_.size(); ++c) {
         Class& leaves = classes_[c];
@@ -40,7 +40,7 @@ void LeafLines::find_points(const std::vector<LeafResponse>& responses) {
     find_typical();
 }
 
-//! Chooses a middle class of each component to stand for all its classes.
+//! Chooses a middle class of each component to represent all its classes.
 void LeafLines::find_typical() {
     constexpr std::uint32_t all = LeafAir::classes_per_component;
     constexpr std::array<std::uint32_t, all> by_preference{2, 1, 3, 0};
@@ -62,8 +62,8 @@ void LeafLines::draw(Class& leaves) {
     const auto& [shade, sun] = leaves.points;
     const double light = sun.ppfd - shade.ppfd;
     const double gross = sun.gross.value - shade.gross.value;
-    // The slope between two leaves that are nearly alike would consist mostly
-    // of rounding errors.
+    // The slope between two nearly identical leaves would consist mostly of
+    // rounding errors.
     constexpr double least = 0.1;
     const std::size_t points =
         std::max(std::abs(light), std::abs(gross)) > least ? 2 : 1;
@@ -94,7 +94,8 @@ void LeafLines::draw(Class& leaves) {
     }
 }
 
-//! Draws the lines of a class, and returns the canopy air that they drive.
+//! Computes the lines of a class, and returns the canopy air that results from
+//! them.
 CanopyAir LeafLines::driven_by(std::uint32_t c) {
     Class& leaves = classes_[c];
     draw(leaves);
@@ -108,7 +109,7 @@ CanopyAir LeafLines::driven_by(std::uint32_t c) {
                           flux(LeafFlux::transpiration, leaves.gross));
 }
 
-//! Returns the canopy air that follows from the fluxes of leaves in some air.
+//! Returns the canopy air that results from the fluxes of leaves in given air.
 CanopyAir LeafLines::driven(const CanopyAir& in) {
     air_.set_air(in);
     CanopyAir sum;
@@ -121,7 +122,7 @@ CanopyAir LeafLines::driven(const CanopyAir& in) {
     return sum;
 }
 
-//! Returns an estimate of driven() from the typical classes.
+//! Estimates driven() from the typical classes only.
 CanopyAir LeafLines::typically_driven(const CanopyAir& in) {
     air_.set_air(in);
     CanopyAir sum;
@@ -133,14 +134,14 @@ CanopyAir LeafLines::typically_driven(const CanopyAir& in) {
     return sum;
 }
 
-//! Estimates the air from the typical classes, and how the air that follows
-//! from the fluxes of leaves depends on the air around the leaves: by a secant
-//! in each of its two numbers.
+//! Estimates the canopy air from the typical classes. Also estimates the
+//! derivatives of the resulting air with respect to the air around the leaves,
+//! by one secant for each of its two variables.
 void LeafLines::guess_air() {
     in_ = {};
     const CanopyAir first = typically_driven(in_);
     if (first.warmer == 0 && first.moister == 0) return;
-    // Steps have about the size of the expected difference.
+    // The secant steps have about the size of the expected difference.
     const double dt = std::copysign(
         std::clamp(std::abs(first.warmer) / 2, 0.1, 2.), first.warmer);
     const double de = std::copysign(
@@ -154,8 +155,8 @@ void LeafLines::guess_air() {
     move_air(first);
 }
 
-//! Moves the air towards agreement with the air that follows from its leaves.
-//! @param left difference of the air that follows from the air in the step
+//! Moves the air towards agreement with the air that results from its leaves.
+//! @param left resulting air minus the air in the step
 void LeafLines::move_air(const CanopyAir& left) {
     const double a = slopes_[0] - 1, b = slopes_[1], c = slopes_[2],
                  d = slopes_[3] - 1;
@@ -171,12 +172,12 @@ void LeafLines::move_air(const CanopyAir& left) {
          most_moister);
 }
 
-//! Takes from a move of the air how its slopes are along the move (Broyden
-//! 1965, doi:10.1090/S0025-5718-1965-0198670-6).
+//! Updates the derivatives from a move of the air (Broyden 1965,
+//! doi:10.1090/S0025-5718-1965-0198670-6).
 //! @param by move of the air
 //! @param more resulting change of the air that follows from its leaves
 void LeafLines::learn_slopes(const CanopyAir& by, const CanopyAir& more) {
-    // 0.1 kPa of vapour weigh as much as 1 K.
+    // A vapour pressure of 0.1 kPa gets the same weight as 1 K.
     constexpr double kelvin_per_kpa = 10;
     const double t = by.warmer,
                  e = kelvin_per_kpa * kelvin_per_kpa * by.moister;

@@ -9,14 +9,15 @@
 
 namespace ideotype {
 
-//! The fluxes of all leaves of a step to first order, and the air that follows
-//! from these fluxes. Fluxes of a class of leaves are taken as linear, those of
-//! gas in assimilation at the temperature of the air, heat and warming in
-//! absorbed light, along the line through the mean leaf in the shade and the
-//! mean leaf in the sun, with energy balances that are solved.
+//! Fluxes of all leaves in a step to first order, and the canopy air that
+//! results from these fluxes. Within a class of leaves, fluxes are assumed to
+//! be linear. Fluxes of gases are linear in assimilation at air temperature;
+//! heat and warming are linear in absorbed light. Each line passes through the
+//! mean leaf in the shade and the mean leaf in the sun, for which energy
+//! balances are solved.
 class LeafLines {
   public:
-    //! @param air air that has seen the leaves
+    //! @param air air for which LeafAir::see() was called
     explicit LeafLines(LeafAir& air) : air_(air), classes_(air.classes()) {}
 
     //! Forgets all leaves.
@@ -24,8 +25,8 @@ class LeafLines {
         for (Class& each : classes_) each = Class{};
     }
 
-    //! Adds some leaf area.
-    //! @param ppfd,cosine those of LeafAir::Point
+    //! Adds leaf area at some light.
+    //! @param ppfd,cosine as in LeafAir::Point
     void add(std::uint32_t group, double ppfd, double cosine, double area);
 
     //! Adds the gross assimilation of a place [umol m-2 s-1].
@@ -33,35 +34,38 @@ class LeafLines {
         of(group).gross += gross;
     }
 
-    //! Finds the lines and the air of the step, and passes the air to LeafAir.
+    //! Computes the lines and the canopy air of the step, and passes the air to
+    //! LeafAir.
     //! @param responses response of each group; empty: no light
     void settle(const std::vector<LeafResponse>& responses);
 
-    //! Moves the air and the lines by the amounts that all leaves lose beyond
-    //! their lines [W m-2, mmol m-2 s-1].
+    //! Adjusts the air and the lines for the heat and water that all leaves
+    //! lose in addition to their lines [W m-2, mmol m-2 s-1].
     void correct(double heat, double water);
 
-    //! Returns the air that follows from the lines less the air of the step.
+    //! Returns the air that results from the lines minus the air of the step.
     CanopyAir air_left() const {
         return {driven_.warmer - in_.warmer, driven_.moister - in_.moister};
     }
 
-    //! Returns a flux of a leaf by its line, with its derivatives in light. For
-    //! hot area, the result is whether the leaf is hot by the line of warming.
+    //! Returns a flux of a leaf from its line, with derivatives in light. For
+    //! hot area, returns whether the leaf is hot according to the line of
+    //! warming.
     Expansion at(LeafFlux flux, std::uint32_t group,
                  const LeafAir::Point& point) const;
 
-    //! Returns whether any leaf may be hot by its line.
-    //! @param light most light on a leaf [umol m-2 s-1]
+    //! Returns whether any leaf may be hot according to its line.
+    //! @param light largest absorbed light of a leaf [umol m-2 s-1]
     bool reaches_heat(double light) const;
 
-    //! Returns the constant and the slope of a flux in assimilation or light.
+    //! Returns the constant and the slope of a flux's line, in assimilation or
+    //! light.
     std::array<double, 2> line(LeafFlux flux, std::uint32_t group) const {
         const auto k = static_cast<std::size_t>(flux);
         return {of(group).constant[k], of(group).slope[k]};
     }
 
-    //! Returns whether a flux is linear in assimilation, not in light.
+    //! Returns whether a flux is linear in assimilation instead of light.
     static bool is_in_gross(LeafFlux flux) {
         return flux != LeafFlux::sensible && flux != LeafFlux::warming &&
                flux != LeafFlux::hot;
@@ -78,20 +82,20 @@ class LeafLines {
         double area = 0, ppfd = 0, cosine = 0;
     };
     struct Class {
-        Mean means[2]{};             //!< leaves in shade and in sun
-        double gross = 0;            //!< assimilation of all leaves
+        Mean means[2]{};   //!< leaves in shade and in sun
+        double gross = 0;  //!< gross assimilation of all leaves of the class
         LeafAir::Point points[2]{};  //!< mean points
         LeafExchange solved[2]{};
         bool is_used = false;   //!< whether any leaf assimilates
-        bool is_known = false;  //!< whether solved in the step
+        bool is_known = false;  //!< whether the balances of the step are solved
         std::array<double, leaf_fluxes> constant{}, slope{};
 
         double area() const { return means[0].area + means[1].area; }
     };
-    //! A class that stands for its component.
+    //! A class that represents its component.
     struct Typical {
         std::uint32_t number;  //!< number of the class
-        double scale;          //!< leaf area of the component over the class's
+        double scale;  //!< leaf area of the component relative to the class
     };
 
     Class& of(std::uint32_t group) { return classes_[air_.class_of(group)]; }
@@ -111,9 +115,10 @@ class LeafLines {
     LeafAir& air_;
     std::vector<Class> classes_;
     std::vector<Typical> typical_{};
-    CanopyAir in_{}, driven_{};  //!< air in the step, and air that follows
-    //! Slopes of the air that leaves drive in the air around leaves: of its
-    //! warmth in warmth and in vapour, then of its vapour in both.
+    //! Air in the step, and air that results from leaves.
+    CanopyAir in_{}, driven_{};
+    //! Derivatives of the resulting air with respect to the air around leaves:
+    //! of temperature in temperature and vapour, then of vapour in both.
     std::array<double, 4> slopes_{};
 };
 

@@ -9,7 +9,8 @@ namespace ideotype {
 
 namespace {
 
-//! Light added to weights, as points in the dark exchange water [umol m-2 s-1].
+//! Light added to sampling weights, because leaves in the dark also exchange
+//! water [umol m-2 s-1].
 constexpr double dark = 100;
 
 }  // namespace
@@ -35,8 +36,9 @@ WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
     find_counts();
 }
 
-//! Finds how many points each randomisation draws in each step, on average: in
-//! proportion to the light, since differences from the lines grow with light.
+//! Computes the mean number of points that each randomisation samples in each
+//! step. It is proportional to light, since deviations from the lines increase
+//! with light.
 void WaterFluxes::find_counts() {
     double all = 0;
     for (const TimeStep& step : light_.series.steps) {
@@ -60,8 +62,8 @@ void WaterFluxes::add(std::size_t step, const StepLight* light) {
     air_.begin(step);
     find_areas(light);
     find_lines(light);
-    // The air follows from the loss of all leaves; differences of drawn points
-    // from their lines are assumed equal in the corrected air.
+    // The canopy air depends on the losses of all leaves. Deviations of sampled
+    // points from their lines are assumed to be the same in the corrected air.
     drawn_sums_ = {};
     draw(step, light);
     lines_->correct(
@@ -76,8 +78,8 @@ void WaterFluxes::add_nights() {
         if (light_.beam_of[i] < 0 && light_.sky_of[i] < 0) add(i, nullptr);
 }
 
-//! Returns whether a flux is summed in a step: at night, only heat and water.
-//! Leaves at air temperature assimilate as is known already.
+//! Returns whether a flux is summed in a step. At night these are only heat and
+//! water. The assimilation of leaves at air temperature is already known.
 bool WaterFluxes::takes(LeafFlux flux, const StepLight* light) const {
     if (flux == LeafFlux::uptake || flux == LeafFlux::respiration)
         return light && air_.warms();
@@ -90,7 +92,7 @@ void WaterFluxes::find_areas(const StepLight* light) {
     if (!light) return;
     const std::vector<PairLight::Bin>& bins = light->pair.bins();
     for (std::size_t b = 0; b < bins.size(); ++b) {
-        // Sunlit leaf area is the light that a hit absorbs over the beam.
+        // Sunlit leaf area is the light absorbed at hits divided by the beam.
         const double beam = light->beams[b];
         const double area =
             beam > 0 ? light->scales.of_sun * bins[b].moments.one / beam : 0;
@@ -109,7 +111,7 @@ LeafAir::Point WaterFluxes::point(const StepLight* light,
     return {bin.place, light->lit.light[b], bin.cosine, light->lit.at(b)};
 }
 
-//! Finds the lines of a step, and the probabilities of drawing points.
+//! Computes the lines of a step and the sampling probabilities of points.
 void WaterFluxes::find_lines(const StepLight* light) {
     lines_->clear();
     chances_.clear();
@@ -149,7 +151,7 @@ void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
     for (std::size_t k = 0; k < leaf_fluxes; ++k) {
         const auto flux = static_cast<LeafFlux>(k);
         if (flux == LeafFlux::hot || !takes(flux, light)) continue;
-        // Assimilation at the temperature of the air is known already.
+        // Assimilation at air temperature is already known.
         const double known = flux == LeafFlux::uptake ? 1 : 0;
         const std::vector<double>& by =
             LeafLines::is_in_gross(flux) ? gross_ : absorbed_;
@@ -174,7 +176,7 @@ void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
     if (light) add_hot(step, light);
 }
 
-//! Adds leaves that are hot by their lines.
+//! Adds leaves that are hot according to their lines.
 void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
     constexpr auto k = static_cast<std::size_t>(LeafFlux::hot);
     fluxes_[k].steps[step] = 0;
@@ -192,9 +194,10 @@ void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
     fluxes_[k].steps[step] = all;
 }
 
-//! Draws points of a step at equal distances along the leaves, shade before
-//! sun. The first is random in each randomisation and moves from step to step
-//! by the golden ratio, so that draws of all steps are even.
+//! Samples points of a step by systematic sampling along the leaves, shade
+//! before sun. The starting point is random in each randomisation and advances
+//! from step to step by the golden ratio, so that the samples of all steps are
+//! evenly distributed.
 void WaterFluxes::draw(std::size_t step, const StepLight* light) {
     constexpr double golden_ratio = 0.6180339887498949;
     const double all = chances_.empty() ? 0 : chances_.back();
@@ -214,7 +217,7 @@ void WaterFluxes::draw(std::size_t step, const StepLight* light) {
     }
 }
 
-//! Adds the difference of a drawn point from its lines.
+//! Adds the deviation of a sampled point from its lines.
 void WaterFluxes::add_drawn(std::size_t step, const StepLight* light,
                             std::size_t randomisation, std::size_t area,
                             double times) {
@@ -252,7 +255,8 @@ void WaterFluxes::add_drawn_to(FluxTallies& all) const {
             all[k][r] += drawn_[k][r];
 }
 
-//! Returns the contribution to a flux of a function of light on one of areas_.
+//! Returns the contribution of one of areas_ to a flux, which is a function of
+//! light.
 double WaterFluxes::amount(const StepLight& light, std::size_t area,
                            const Expansion& at) const {
     const std::vector<PairLight::Bin>& bins = light.pair.bins();

@@ -11,17 +11,18 @@
 
 namespace ideotype {
 
-//! Fluxes of the leaves of a field that exchange heat and water. All places
-//! have the fluxes of LeafLines; differences from these are found at few points
-//! of each step, which are drawn with probabilities in proportion to leaf area
-//! and light. Each point is weighted by the inverse of its probability, so that
-//! sums have no bias (Horvitz and Thompson 1952,
-//! doi:10.1080/01621459.1952.10483446). Each randomisation draws its own
-//! points, so that the spread over randomisations includes the error of the
-//! draw (interpenetrating samples, Mahalanobis 1946, doi:10.2307/2981330).
+//! Fluxes of the leaves of a field that exchange heat and water with the air.
+//! At all places, fluxes follow the lines of LeafLines. Deviations from these
+//! lines are computed at a few sampled points of each step. Sampling
+//! probabilities are proportional to leaf area and light, and each point is
+//! weighted by the inverse of its probability, so that sums are unbiased
+//! (Horvitz and Thompson 1952, doi:10.1080/01621459.1952.10483446). Each
+//! randomisation samples different points, so the spread over randomisations
+//! includes the sampling error (interpenetrating samples, Mahalanobis 1946,
+//! doi:10.2307/2981330).
 class WaterFluxes {
   public:
-    //! One flux of all leaves by their lines.
+    //! One flux of all leaves according to their lines.
     struct Flux {
         std::vector<double> mean;   //!< amount on a mean day, by place
         std::vector<double> steps;  //!< flux of all leaves
@@ -31,7 +32,8 @@ class WaterFluxes {
     WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
                 const ExpectedLight& expectation, FluxTallies empty);
 
-    //! Takes the light of a sun and a sky that steps share; -1: none.
+    //! Sets the indices of the sun and sky sources that the next steps share;
+    //! -1: none.
     void meet(int beam, int sky) { air_.meet(beam, sky); }
 
     //! Adds a step.
@@ -40,21 +42,21 @@ class WaterFluxes {
     //! Adds the exchange of leaves in steps without light.
     void add_nights();
 
-    //! Adds the weights of moments in a flux by its lines, in the step that was
-    //! added last.
-    //! @param gross weights of moments in gross assimilation in the step
+    //! Adds the weights that moments have in a flux, according to its lines, in
+    //! the last added step.
+    //! @param gross weights of moments in the step's gross assimilation
     void weigh(LeafFlux flux, const StepLight& light, const Weights& gross,
                Weights& all) const;
 
-    //! Adds the differences of drawn points from their lines.
+    //! Adds the deviations of sampled points from their lines.
     void add_drawn_to(FluxTallies& all) const;
 
-    //! Returns fluxes by LeafFlux. The first flux is the difference of uptake
-    //! from the gross assimilation at the temperature of the air.
+    //! Returns fluxes by LeafFlux. The first is uptake minus gross assimilation
+    //! at air temperature.
     const std::vector<Flux>& fluxes() const { return fluxes_; }
 
   private:
-    //! @param light light in the step; null: none
+    //! @param light light in the step; null: a step without light
     void add(std::size_t step, const StepLight* light);
     void find_counts();
     void find_areas(const StepLight* light);
@@ -75,18 +77,19 @@ class WaterFluxes {
     const LeafPlaces& places_;
     LeafAir& air_;
     std::optional<LeafLines> lines_{};
-    FluxTallies drawn_;  //!< fluxes of drawn points less lines
+    FluxTallies drawn_;  //!< fluxes of sampled points minus their lines
     std::vector<Flux> fluxes_;
-    //! Amounts of a step on a mean day.
+    //! Factors from fluxes in a step to amounts on a mean day.
     std::array<double, leaf_fluxes> amounts_{};
-    //! Sums over leaves in a step of drawn points less their lines.
+    //! Sums over leaves in a step: sampled points minus their lines.
     std::array<double, leaf_fluxes> drawn_sums_{};
-    std::vector<double> counts_;  //!< expected draws by step
-    std::vector<double> starts_;  //!< start of draws by randomisation
-    //! Sums over leaves in a step, by place: light and assimilation.
+    std::vector<double> counts_;  //!< expected number of samples by step
+    //! Starting point of sampling by randomisation.
+    std::vector<double> starts_;
+    //! Sums over leaves in a step, by place: absorbed light and assimilation.
     std::vector<double> absorbed_, gross_;
-    double brightest_ = 0;         //!< most light on a point [umol m-2 s-1]
-    std::vector<double> areas_;    //!< shaded areas of places, then bins
+    double brightest_ = 0;         //!< largest light at a point [umol m-2 s-1]
+    std::vector<double> areas_;    //!< shaded areas of places, followed by bins
     std::vector<double> chances_;  //!< cumulative probabilities
 };
 

@@ -27,7 +27,7 @@ double canopy_in_profile(double canopy) {
     return std::clamp(canopy, 0.05, 0.7 * reference);
 }
 
-//! Returns the wind at 10 m above short grass, from that at another height.
+//! Returns the wind 10 m above short grass from the wind at another height.
 double wind_at_reference(double wind, double height) {
     const auto profile = [](double z) {
         return std::log(std::max(67.8 * z - 5.42, 2.));

@@ -3,12 +3,12 @@
 
 namespace ideotype {
 
-//! Returns the wind at the top of a canopy [m s-1], by logarithmic profiles
-//! above short grass, where wind is measured, up to 10 m, and from there down
-//! to a canopy of displacement height 0.67 h and roughness 0.1 h (Campbell and
-//! Norman 1998; Allen et al. 1998, FAO 56, equation 47). Winds too weak for
-//! anemometers count as 0.3 m s-1.
-//! @param wind,height wind [m s-1] and the height of its measurement [m]
+//! Returns the wind at the top of a canopy [m s-1]. Two logarithmic profiles
+//! are used: above short grass, where wind is measured, up to 10 m, and from
+//! there down to a canopy with displacement height 0.67 h and roughness length
+//! 0.1 h (Campbell and Norman 1998; Allen et al. 1998, FAO 56, equation 47).
+//! Winds too weak for anemometers are raised to 0.3 m s-1.
+//! @param wind,height wind [m s-1] and its measurement height [m]
 //! @param canopy height h of the canopy [m]
 double wind_at_top(double wind, double height, double canopy);
 

@@ -117,9 +117,9 @@ class LeafEnergy {
     }
 
     //! Returns a lower bound of the temperature of a leaf without dew: the
-    //! smaller of two temperatures, that of a wet surface without radiation, at
-    //! any wind, and that set by radiation alone. Below it both heat and
-    //! radiation warm a leaf.
+    //! smaller of the temperature of a wet surface without radiation, at any
+    //! wind, and the temperature at radiative equilibrium. Below it both heat
+    //! and radiation warm a leaf.
     double coolest() const {
         const auto cooling = [&](double x) {
             return 2 * air_heat_capacity * (x - around_.temperature) +

@@ -78,7 +78,7 @@ struct CarbonLoss {
 };
 
 //! Assimilation of the leaves of a canopy on a mean day [mol m-2 of ground
-//! day-1], or in a second if the light is that of an instant.
+//! day-1]. If the light is a single instant, values are per second.
 struct AssimilationReport {
     FluxReport gross;  //!< flux; hours in [umol m-2 s-1]
     //! Gross assimilation less the part of respiration in light that `losses`

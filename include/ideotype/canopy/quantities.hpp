@@ -35,9 +35,9 @@ std::vector<Measured> measure_numbers(const CanopyReport& report);
 //! except those that describe only the method. Each name can be an objective.
 std::vector<std::string> objective_names();
 
-//! Returns whether a quantity exists only in certain reports: those with
-//! assimilation, plant form, measured lines, light in a given band, leaves that
-//! exchange heat and water, growing plants, panels, or two components.
+//! Return whether a quantity exists only in reports with assimilation, plant
+//! form, measured lines, light in a given band, leaves that exchange heat and
+//! water, growing plants, panels, or two components.
 bool is_of_assimilation(const std::string& quantity);
 bool is_of_form(const std::string& quantity);
 bool is_of_lines(const std::string& quantity);

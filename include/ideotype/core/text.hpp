@@ -17,9 +17,9 @@ std::string first_bytes(const std::string& text, std::size_t size);
 //! Counts the characters of a UTF-8 text, assuming one terminal column each.
 std::size_t count_columns(std::string_view text);
 
-//! Makes a text of unknown origin safe to print in one line of a terminal:
-//! replaces control characters, and bytes that are not UTF-8, by a backslash,
-//! an x and two hexadecimal digits.
+//! Makes a text of unknown origin safe to print in one line of a terminal.
+//! Control characters, and bytes that are not UTF-8, are replaced by a
+//! backslash, an x and two hexadecimal digits.
 std::string printable(const std::string& text);
 
 //! Makes a text safe as printable() does, but keeps line breaks and tabs.

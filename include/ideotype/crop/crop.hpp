@@ -63,9 +63,9 @@ struct TraitNumber {
     int point = 0;          //!< point of a profile, from 1; 0: none
 };
 
-//! Returns all trait values in the order of a genome: for each leaf the traits
-//! with one value per leaf, then the values of whole-plant traits and profiles,
-//! in the order of the traits.
+//! Returns all trait values in the order of a genome. First come, leaf by leaf,
+//! the traits with one value per leaf, then the values of whole-plant traits
+//! and profiles in the order of the traits.
 std::vector<TraitNumber> trait_numbers(const Crop& crop);
 
 //! Returns the trait values of the baseline: the measure for a trait that sets

@@ -22,8 +22,8 @@ struct BladeRow {
 };
 
 //! The blade of one leaf as a NURBS surface of 3 x 6 control points with unit
-//! weights: linear across (left edge, midrib, right edge), cubic along, knots
-//! at 1/3 and 2/3.
+//! weights. It is linear across (left edge, midrib, right edge) and cubic along
+//! the blade, with knots at 1/3 and 2/3.
 //!
 //! The midrib lies in a vertical plane. Its angle from the vertical at relative
 //! arc length s is insertion_angle + curvature * s^curvature_exponent. Six

@@ -22,9 +22,9 @@ struct LeafExchange {
 //! from their values at air temperature and are updated in turn, in sweeps,
 //! until they converge. Below the temperature at which enzymes fail there is
 //! only one balance, since a warmer leaf emits more, heats the air more and
-//! evaporates more. energy_balance() is called instead if leaves are warmer
-//! than that, if the humidity is too low for a unique conductance in the
-//! Ball-Berry model, or if sweeps do not converge.
+//! evaporates more. In three cases energy_balance() is called instead: leaves
+//! are warmer than that, the humidity is too low for a unique conductance in
+//! the Ball-Berry model, or sweeps do not converge.
 //! @param like solution for a point in similar light and air, used with its
 //! temperature difference as the starting point to save sweeps; null: none
 LeafExchange leaf_exchange(const ThermalLeaf& leaf,

@@ -210,7 +210,7 @@ void deviate(std::vector<Place>& places, const PlantVariation& variation,
 std::vector<std::vector<Place>> draw_places(const Scene& scene,
                                             const Randomness& randomness) {
     std::vector<std::vector<Place>> all;
-    std::vector<Place> shared;  // positions that the mixture has left
+    std::vector<Place> shared;  // remaining positions of the mixture
     for (const Component& each : scene.components) {
         if (each.mixed > 0 && shared.empty()) {
             shared = each.places;

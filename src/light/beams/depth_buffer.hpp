@@ -15,11 +15,11 @@ namespace ideotype {
 //! Computes the faces that parallel light meets first in a periodic stand, at
 //! the points of shifted lattices, one lattice per randomisation. Faces are
 //! projected along the light onto the ground. The projection repeats with the
-//! cell, so each face is rasterised once, and each point stores the highest
-//! face, because shifting a face by periods does not change its height. This is
-//! exact for any overhang and any number of wraps. An edge belongs to the faces
-//! on both of its sides. Of faces at equal height the first in the mesh is
-//! visible; where there is no face, the soil is visible.
+//! cell, so each face is rasterised once. Each point stores the highest face:
+//! shifting a face by periods does not change its height. This is exact for any
+//! overhang and any number of wraps. An edge belongs to the faces on both of
+//! its sides. Of faces at equal height the first in the mesh is visible; where
+//! there is no face, the soil is visible.
 class DepthBuffer {
   public:
     //! A visible triangle of the scene's surfaces with its visible side.

@@ -12,8 +12,8 @@ namespace ideotype {
 
 //! Launches the light of one source into a scene. In a periodic stand, light
 //! enters through the top of the cell. In an isolated plot, it enters through
-//! the bounding box: light directly from the source through the top and the
-//! sides that face it, and light from the infinite soil around the plot through
+//! the bounding box. Light directly from the source enters through the top and
+//! the sides that face it, light from the infinite soil around the plot through
 //! the bottom and all sides. Soil in the shadow of the box is excluded. This is
 //! all the light that enters, because light that has been in the box is traced
 //! until it is absorbed or lost to the sky, also over the soil outside.

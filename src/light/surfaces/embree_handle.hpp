@@ -14,7 +14,7 @@
 
 namespace ideotype {
 
-//! Throws if Embree has reported an error.
+//! Checks that Embree has reported no error.
 //! @throws std::runtime_error, not Error, since the machine is at fault and not
 //! the evaluated plant.
 //! @param device device, or null after a failed creation

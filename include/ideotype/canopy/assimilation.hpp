@@ -52,7 +52,7 @@ struct FluxReport {
 
 //! Computes a flux report from tallies.
 //! @param amount_of returns the factor that converts the flux in a step to the
-//! amount on a mean day
+//! amount of the step
 FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
                   double (*amount_of)(const TimeStep& step));
 

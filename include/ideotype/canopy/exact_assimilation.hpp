@@ -22,7 +22,7 @@ struct ExactAssimilation {
 //! The response f to the mean of D is higher than the mean of f over noisy
 //! samples of D. The limit of infinitely many samples is estimated without bias
 //! from a few. The estimate is f at the mean of two samples, plus one random
-//! term of the series of differences between n and 2 n samples. The level n of
+//! term of the series of differences between n and 2 n samples. The number n of
 //! that term is random, and the term is divided by its probability (Blanchet
 //! and Glynn 2015, doi:10.1109/WSC.2015.7408524; Blanchet, Glynn and Pei 2019,
 //! arXiv:1904.09929). A term is f at the mean of all samples less the mean of f

@@ -38,7 +38,7 @@ struct LightClasses {
         : sunlit(classes), shaded(classes) {}
 };
 
-//! Computes leaf area by the light that leaves absorb in one field, by
+//! Computes the leaf area in each class of absorbed light in one field, by
 //! randomisation, as a mean over the time with any light. The sum over all
 //! classes is the leaf area index. Diffuse light is computed as in
 //! assimilate(): as a mean over identical plants. Leaves that absorb nothing

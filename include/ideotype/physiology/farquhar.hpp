@@ -41,9 +41,9 @@ struct FarquharLeaf {
 //!     Wp = 3 TPU
 //!     theta J^2 - (I2 + Jmax) J + I2 Jmax = 0    (smaller root)
 //!
-//! with I2 = 0.5 phi(T) I and O = 0.21 mol mol-1 of oxygen; it is 0 if ci is
-//! below G*. The minimum of Wc and Wp is computed first because both are
-//! independent of light. Vcmax, G*, Kc, Ko (Bernacchi et al. 2001,
+//! with I2 = 0.5 phi(T) I and O = 0.21 mol mol-1 of oxygen; the response is 0
+//! if ci is below G*. The minimum of Wc and Wp is computed first because both
+//! are independent of light. Vcmax, G*, Kc, Ko (Bernacchi et al. 2001,
 //! doi:10.1111/j.1365-3040.2001.00668.x) and Jmax (Bernacchi et al. 2003,
 //! doi:10.1046/j.0016-8025.2003.01050.x) rise as exp(c - E / R T). phi and
 //! theta are parabolas limited to 0 to 1, and 4.5 and 10.5 are electrons (all

@@ -14,7 +14,8 @@ namespace ideotype {
 
 namespace {
 
-//! Integrates a component of PAR over the steps, per day [J m-2].
+//! Integrates a component of PAR over all steps; returns the mean per day [J
+//! m-2].
 double integrate_day(const LightSeries& series, double Irradiance::*component) {
     double sum = 0;
     for (const TimeStep& step : series.steps)
@@ -32,7 +33,7 @@ int count_steps(const DaySpan& span) {
     return static_cast<int>(whole);
 }
 
-//! The elevation of the sun [deg] as a function of the local clock.
+//! The elevation of the sun [deg] as a function of the time on the local clock.
 class Elevation {
   public:
     Elevation(const Site& site, const Date& date) : site_(site), date_(date) {}
@@ -41,8 +42,8 @@ class Elevation {
         return 90 - sun_position(site_, date_, hour).zenith;
     }
 
-    //! Finds the hour of the highest elevation between two hours, before which
-    //! it rises and after which it falls, by ternary search.
+    //! Finds the hour of the highest elevation between two hours by ternary
+    //! search. The elevation must rise before this hour and fall after it.
     double find_highest(double first, double last) const {
         while (last - first > precision) {
             const double third = (last - first) / 3;
@@ -54,8 +55,9 @@ class Elevation {
         return (first + last) / 2;
     }
 
-    //! Finds the hour when the sun is at the horizon by bisection, between an
-    //! hour with the sun below and one with the sun above it.
+    //! Finds the hour when the sun is at the horizon by bisection; returns
+    //! nothing unless the sun is below the horizon at `low` and not below it at
+    //! `high`.
     std::optional<double> find_crossing(double low, double high) const {
         if (at(low) >= 0 || at(high) < 0) return std::nullopt;
         while (std::abs(high - low) > precision) {
@@ -72,8 +74,9 @@ class Elevation {
     const Date& date_;
 };
 
-//! Largest difference between solar noon and mean noon [h]: the equation of
-//! time is below 17 minutes, and declination adds a little at high latitudes.
+//! Largest difference between solar noon and mean noon [h]. The equation of
+//! time is below 17 minutes; at high latitudes the change of declination adds a
+//! little.
 constexpr double largest_shift = 1;
 
 }  // namespace

@@ -37,9 +37,9 @@ glm::dvec3 make_travel(double cos_zenith, double sin_zenith, double azimuth) {
             -cos_zenith};
 }
 
-//! Inverts (3 m^2 + 4 m^3) / 7, the share of an overcast sky's irradiance from
-//! points with cos z below m. With m = (2 w - 1) / 4 the cubic becomes the
-//! Chebyshev polynomial 4 w^3 - 3 w = 56 share - 1.
+//! Inverts (3 m^2 + 4 m^3) / 7, the share of an overcast sky's irradiance that
+//! comes from points with cos z < m. With m = (2 w - 1) / 4 the cubic becomes
+//! the Chebyshev polynomial 4 w^3 - 3 w = 56 share - 1.
 double invert_overcast(double share) {
     const double k = 56 * share - 1;
     const double w =
@@ -66,9 +66,9 @@ double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel) {
 }
 
 //! A density on [0, 1] that is smooth within each of several equal panels. In
-//! each panel the density is approximated by a polynomial through
-//! Gauss-Legendre nodes; its integral, known in closed form, is inverted to
-//! rounding.
+//! each panel a polynomial through Gauss-Legendre nodes approximates the
+//! density. Its integral is known in closed form and is inverted to rounding
+//! precision.
 template <std::size_t panels>
 class PiecewiseDensity {
   public:
@@ -87,7 +87,7 @@ class PiecewiseDensity {
     //! Returns the integral over [0, 1].
     double total() const { return integrals_.back(); }
 
-    //! Returns the point where the integral from 0 reaches a share of the
+    //! Returns the point at which the integral from 0 equals a share of the
     //! total.
     double quantile(double share) const {
         const double target = share * total();
@@ -123,12 +123,13 @@ class PiecewiseDensity {
         return p;
     }
 
-    //! Finds the point of [-1, 1] where the integral from -1 reaches an amount,
-    //! by Newton's method, or by bisection where a Newton step leaves the
-    //! bracket.
+    //! Finds the point of [-1, 1] at which the integral from -1 equals an
+    //! amount. It uses Newton's method, and bisection where a Newton step
+    //! leaves the bracket.
     static double solve(const Values& values, double amount) {
-        // Coefficients of the Legendre series of the density, that of degree k
-        // over (2 k + 1): they are also those of the integral.
+        // Coefficients of the Legendre series of the density, divided by 2 k +
+        // 1 for degree k. The integral of the series is the sum of c_k (P_{k+1}
+        // - P_{k-1}).
         Values c{};
         for (std::size_t j = 0; j < order; ++j) {
             const auto p = legendre(nodes[j]);
@@ -136,7 +137,8 @@ class PiecewiseDensity {
                 c[k] += weights[j] * values[j] * p[k] / 2;
         }
         double low = -1, high = 1;
-        // Only shares of 0 and 1 reach a panel with an integral of zero.
+        // A panel with an integral of zero is reached only by shares of 0 and
+        // 1.
         if (!(c[0] > 0)) return low;
         double x = std::clamp(amount / c[0] - 1, low, high);
         // Newton's method on the integral, safeguarded by [low, high].
@@ -162,12 +164,12 @@ class PiecewiseDensity {
     std::array<double, panels> integrals_{};
 };
 
-//! The clear sky in polar coordinates about the sun, which avoids
+//! Samples the clear sky in polar coordinates about the sun, which avoid
 //! singularities: one factor of the radiance depends only on the angle to the
-//! sun, the other varies smoothly along circles about the sun. The distribution
-//! of the angle is tabulated; that of the position on a circle is integrated
-//! for each direction. The mean relative error of the sampled density is at
-//! most 3e-7.
+//! sun, and the other varies smoothly along circles about the sun. The
+//! distribution of the angle is tabulated; the distribution of the position on
+//! a circle is integrated for each direction. The mean relative error of the
+//! sampled density is at most 3e-7.
 class SkySampler::ClearSky {
   public:
     explicit ClearSky(const SunPosition& sun)
@@ -188,8 +190,8 @@ class SkySampler::ClearSky {
         const double side = 2 * v - 1;
         const double around =
             std::copysign(Circle(*this, to_sun).quantile(std::abs(side)), side);
-        // Components towards the sun, perpendicular to it on the zenith's side,
-        // and horizontal.
+        // Components of the direction: towards the sun, perpendicular to it on
+        // the side of the zenith, and horizontal.
         const double s = std::cos(to_sun);
         const double t = std::sin(to_sun) * std::cos(around);
         const double b = std::sin(to_sun) * std::sin(around);
@@ -202,8 +204,8 @@ class SkySampler::ClearSky {
     }
 
   private:
-    //! All points above the horizon at one angle to the sun; the position angle
-    //! is 0 on the side of the zenith.
+    //! The points above the horizon at one angle to the sun. The position angle
+    //! along the circle is 0 on the side of the zenith.
     class Circle {
       public:
         Circle(const ClearSky& sky, double to_sun)
@@ -218,7 +220,8 @@ class SkySampler::ClearSky {
 
         double irradiance() const { return 2 * end_ * half_.total(); }
 
-        //! Returns the position angle that bounds a share of half the circle.
+        //! Returns the position angle up to which the integral is a share of
+        //! the half-circle's total.
         double quantile(double share) const {
             return position(half_.quantile(share));
         }
@@ -229,7 +232,7 @@ class SkySampler::ClearSky {
             return a >= b ? pi : a <= -b ? 0 : std::acos(-a / b);
         }
 
-        //! Returns the position angle for x in [0, 1], denser towards the
+        //! Maps x in [0, 1] to a position angle. Angles are denser towards the
         //! horizon, where the radiance changes fastest.
         double position(double x) const { return end_ * x * (2 - x); }
 
@@ -242,9 +245,9 @@ class SkySampler::ClearSky {
         double rate;  //!< derivative of the angle
     };
 
-    //! Returns the angle to the sun for t in [0, 1]: whole circles in the first
-    //! half, circles cut by the horizon in the second. The cosine removes the
-    //! square-root singularities at both ends of the cut.
+    //! Maps t in [0, 1] to an angle to the sun: the first half to whole
+    //! circles, the second to circles that the horizon cuts. The cosine removes
+    //! the square-root singularities at both ends of the second half.
     Angle angle_at(double t) const {
         const double cut = std::max(0.0, pi / 2 - sun_zenith_);
         const double begin = t < 0.5 ? 0 : cut;

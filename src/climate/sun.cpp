@@ -64,8 +64,8 @@ double air_mass(double zenith, double elevation) {
     return relative * standard_pressure(elevation) / sea_level_pressure;
 }
 
-//! Returns the cosine of the zenith angle [deg], bounded below as for clearness
-//! indices.
+//! Returns the cosine of the zenith angle [deg] with the lower bound that
+//! clearness indices use.
 double bounded_cosine(double zenith) {
     return std::max(std::cos(zenith * degree), 0.065);
 }
@@ -96,8 +96,8 @@ SunPosition sun_position(const Site& site, const Date& date, double hour) {
         std::cos(latitude) * std::cos(hour_angle) * std::cos(sun.declination) +
         std::sin(sun.declination) * std::sin(latitude);
     const double zenith = std::acos(std::clamp(cos_zenith, -1.0, 1.0));
-    // The sun is lower as seen from the surface than from the centre of the
-    // Earth: the parallax is mean radius over astronomical unit.
+    // The sun appears lower from the surface than from the centre of the Earth.
+    // The parallax is the mean radius over the astronomical unit.
     const double parallax = 6371.01 / 149597890.0 * std::sin(zenith);
 
     const double azimuth = std::atan2(
@@ -146,7 +146,8 @@ Irradiance clear_sky(const Site& site, const Date& date,
     const double b = 0.664 + 0.163 / fh1;
     const double beam_normal =
         b * extraterrestrial * std::exp(-0.09 * mass * (turbidity - 1));
-    // Some light is always scattered, even where the beam equation leaves none.
+    // Some light is always scattered, even where the equation for the beam
+    // leaves none.
     const double largest_beam_share =
         1 - (0.1 - 0.2 * std::exp(-turbidity)) / (0.1 + 0.882 / fh1);
     const double beam =
@@ -165,8 +166,8 @@ double diffuse_fraction(double global, double extraterrestrial_normal,
 }
 
 double par_share(double par, double extraterrestrial_normal, double zenith) {
-    // Fixed-point iteration: each step reduces the error of the share by a
-    // factor of at least nine, the ratio of photons to energy over 0.191.
+    // Solve by fixed-point iteration. Each step reduces the error of the share
+    // by a factor of at least nine: the ratio of photons to energy over 0.191.
     constexpr int steps = 18;
     double share = 0.45;
     for (int i = 0; i < steps; ++i) {

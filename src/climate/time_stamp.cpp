@@ -129,7 +129,7 @@ std::optional<WrittenTime> parse_time(const std::vector<CsvField>& parts,
     if (parts.size() == 2)
         return sum(parse_date(parts[0].text, order),
                    parse_clock(parts[1].text));
-    // The date and the clock time are in columns of numbers.
+    // The date and the clock time are given as columns of numbers.
     std::array<double, 5> values{};
     for (std::size_t i = 0; i < parts.size() && i < values.size(); ++i) {
         const auto number = parse_number(parts[i].text);

@@ -17,8 +17,8 @@ using namespace std::chrono;
 
 enum class Measured { energy, photons, fraction, temperature, speed, pressure };
 
-//! A spelling of a unit, reduced to lower-case letters, digits and %, and the
-//! unit as campaigns spell it.
+//! A spelling of a unit, reduced to lower-case letters, digits and %, with the
+//! spelling used in campaigns.
 struct Spelling {
     Measured kind;
     std::string_view text, unit;
@@ -61,15 +61,16 @@ constexpr std::array spellings{
     Spelling{Measured::pressure, "pa", "Pa"},
 };
 
-//! A quantity, and the names of its columns as beginnings of simplified texts.
+//! A quantity, and the beginnings of column names that denote it, as simplify()
+//! returns them.
 struct Meaning {
     std::optional<Column> ColumnMap::*column;
     Measured kind;
     std::vector<std::string_view> names;
 };
 
-//! The first match applies: diffuse light comes before global light, since
-//! either may be called radiation.
+//! The first match applies. Diffuse light precedes global light, since both may
+//! be called radiation.
 const std::vector<Meaning> meanings{
     {&ColumnMap::diffuse_fraction, Measured::fraction, {"diffusefraction"}},
     {&ColumnMap::diffuse, Measured::energy, {"diffuse", "dhi"}},
@@ -92,8 +93,8 @@ const std::vector<Meaning> meanings{
     {&ColumnMap::pressure, Measured::pressure, {"pressure", "press"}},
 };
 
-//! Reduces a text to its letters in lower case, digits and percent signs, with
-//! u for the micro sign.
+//! Reduces a text to lower-case letters, digits and percent signs; the micro
+//! sign becomes u.
 std::string simplify(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -109,8 +110,8 @@ std::string simplify(std::string_view text) {
     return result;
 }
 
-//! Finds the unit of a kind at the end of a column's name, in brackets or after
-//! a separator; returns "" if there is none.
+//! Finds the unit of a quantity at the end of a column name, in brackets or
+//! after a separator; returns "" if there is none.
 std::string_view find_unit(std::string_view column, Measured kind) {
     for (std::size_t end = column.find_first_of("([_ "); end != column.npos;
          end = column.find_first_of("([_ ", end + 1)) {
@@ -122,8 +123,7 @@ std::string_view find_unit(std::string_view column, Measured kind) {
     return "";
 }
 
-//! Recognises the columns of the time in a header; returns none if there are
-//! none.
+//! Returns the columns of a header that contain the time; empty if none do.
 std::vector<std::string> find_time_columns(
     const std::vector<CsvField>& header) {
     const auto find =
@@ -164,13 +164,13 @@ ColumnMap find_value_columns(const std::vector<CsvField>& header) {
             break;
         }
     }
-    // Without other light, photons are the light.
+    // Use photons only if no other column gives the light.
     if (!columns.global && !columns.beam_normal)
         std::swap(columns.global, columns.ppfd);
     return columns;
 }
 
-//! Finds the first and the last day with rows for all steps.
+//! Finds the first and the last day with a row for every step.
 Period find_whole_days(const WeatherTable& table, const Findings& findings) {
     const ClockTime first = table.rows.front().middle,
                     last = table.rows.back().middle;
@@ -192,8 +192,8 @@ WeatherDescription describe_weather(const std::string& text,
     Findings findings(file);
     ColumnMap columns;
     std::vector<CsvField> header;
-    // Search the first lines for a header, and infer the order of dates from
-    // all rows.
+    // Look for a header in the first lines, and infer the order of day, month
+    // and year from all rows.
     for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 100); ++i) {
         header = split_fields(lines[i]);
         if (header.size() < 2 || find_time_columns(header).empty()) continue;

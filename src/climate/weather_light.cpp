@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! The usual difference between instruments [W m-2]; a larger one causes a
+//! The usual difference between instruments [W m-2]. Larger differences cause a
 //! warning.
 constexpr double noticeable = 20;
 
@@ -31,7 +31,8 @@ WeatherValues remove_negative(WeatherValues values, int line,
     return values;
 }
 
-//! Returns the diffuse part of global light from the best source available.
+//! Returns the diffuse part of global light, from the best information that the
+//! row contains.
 double compute_diffuse(const WeatherValues& values, double extraterrestrial,
                        const WeatherStep& step, Findings& findings) {
     const double global = *values.global;

@@ -34,9 +34,9 @@ double correlate(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-//! Suggests a remedy for light that is shifted in time against the sun: another
-//! stamp if it makes up for the shift.
-//! @param late time of the light after that of the sun [h]
+//! Suggests a remedy for light that is out of step with the sun: another
+//! setting of `stamp`, if it would remove the shift.
+//! @param late delay of the measured light relative to the computed sun [h]
 std::string suggest_remedy(const WeatherTable& table, double late) {
     constexpr double quarter = 0.25;  // Accuracy of the difference [h].
     const double half = duration<double, hours::period>(table.step).count() / 2;
@@ -59,8 +59,8 @@ std::string suggest_remedy(const WeatherTable& table, double late) {
            "of the file mark (stamp)";
 }
 
-//! Compares the light with the sun of the site, also on clocks shifted by
-//! quarters of an hour, up to half a day.
+//! Compares the light with the sun at the site. The comparison is repeated with
+//! the clock shifted in steps of 15 minutes, by up to half a day.
 void check_clock(const WeatherTable& table,
                  const std::vector<WeatherStep>& series,
                  const std::vector<double>& measured, Site site,
@@ -91,7 +91,7 @@ void check_clock(const WeatherTable& table,
                       "the light hardly follows the sun (a correlation of "
                       "{:.2f}); is it the column of the light?",
                       best);
-    // Clouds also shift the best clock, by up to half an hour over ten days.
+    // Clouds, too, shift the best match, by up to half an hour over ten days.
     const bool long_enough =
         series.back().middle - series.front().middle > 9 * 24h;
     const double hours = std::abs(shift) / 4.0;
@@ -104,7 +104,8 @@ void check_clock(const WeatherTable& table,
     if (hours >= (long_enough ? 0.5 : 1)) findings.doubt(line, text, false);
 }
 
-//! Checks for days with more light than nearly all extraterrestrial light.
+//! Compares the light of each day with the extraterrestrial light, and finds
+//! days that receive more than nearly all of it.
 void check_days(const std::vector<WeatherStep>& series,
                 const std::vector<double>& measured, const Site& site,
                 Findings& findings) {
@@ -130,11 +131,11 @@ void check_days(const std::vector<WeatherStep>& series,
     if (bright > 0) findings.doubt(first, text, false);
 }
 
-//! Returns the fraction of days with a clearness index of at most k in a month
-//! with a mean of 0.2, which few months of the cloudiest climates reach: the
-//! distribution of Bendt, Collares-Pereira and Rabl (1981, Solar Energy 27,
-//! 1-5), with a lowest index of 0.05, up to the highest index of Hollands and
-//! Huget (1983, Solar Energy 30, 195-209).
+//! Returns the fraction of days with a clearness index of at most k, in a month
+//! with a mean index of 0.2. Few months of the cloudiest climates are that
+//! dark. The distribution is that of Bendt, Collares-Pereira and Rabl (1981,
+//! Solar Energy 27, 1-5). Its lowest index is 0.05, its highest that of
+//! Hollands and Huget (1983, Solar Energy 30, 195-209).
 double fraction_of_darker_days(double k) {
     constexpr double lowest = 0.05, highest = 0.585, gamma = -4.74;
     const double bounded = std::clamp(k, lowest, highest);
@@ -142,13 +143,13 @@ double fraction_of_darker_days(double k) {
            (std::exp(gamma * lowest) - std::exp(gamma * highest));
 }
 
-//! Compares the brightest day with the extraterrestrial light: light in a wrong
-//! unit, or of a part of the spectrum, leaves every day dark.
+//! Compares the brightest day with the extraterrestrial light. Every day is too
+//! dark if the light is in a wrong unit or covers only a part of the spectrum.
 void check_brightest(const std::vector<WeatherStep>& series,
                      const std::vector<double>& measured, const Site& site,
                      Findings& findings) {
-    // Days with less extraterrestrial light on average [W m-2] are skipped: in
-    // polar winters twilight counts.
+    // Skip days with less extraterrestrial light on average [W m-2]: in polar
+    // winters, twilight contributes much of the light.
     constexpr double enough = 50;
     double brightest = -1;
     int line = 0, days_checked = 0;
@@ -173,14 +174,15 @@ void check_brightest(const std::vector<WeatherStep>& series,
         days_checked, days_checked == 1 ? "" : "s", brightest);
     const std::string remedy =
         "check the unit, and that the column is all solar radiation";
-    // Clouds with an optical thickness of 380 transmit 0.02 (two-stream
-    // solution with an asymmetry of 0.85, without absorption); none last for
-    // all days.
+    // Clouds with an optical thickness of 380 transmit a fraction of 0.02
+    // (two-stream solution with an asymmetry of 0.85, without absorption). No
+    // such cloud stays for all days.
     constexpr double thickest = 0.02;
     if (brightest < thickest)
         findings.stop(line, 1, "{} (clouds transmit {} or more); {}", text,
                       thickest, remedy);
-    // Probability that all days are so dark, if they are independent.
+    // Probability that all days are so dark, assuming that days are
+    // independent.
     constexpr double credible = 0.001;
     if (std::pow(fraction_of_darker_days(brightest), days_checked) < credible)
         findings.doubt(line,

@@ -13,13 +13,13 @@ namespace {
 
 using namespace std::chrono;
 
-//! Makes every time step of the period, with the values of existing rows. A 29
-//! February without rows is omitted.
+//! Makes all time steps of the period, with values where the file contains a
+//! row. If 29 February has no rows, it is omitted.
 std::vector<WeatherStep> make_steps(const WeatherTable& table,
                                     Findings& findings) {
     const auto& rows = table.rows;
-    // The first step of the period is a whole number of steps before the first
-    // row.
+    // Find the first step of the period: it precedes the first row by a whole
+    // number of steps.
     ClockTime middle = rows.front().middle;
     middle -= (middle - table.begin) / table.step * table.step;
     const auto steps = (table.end - middle) / table.step;
@@ -93,8 +93,8 @@ void interpolate(std::vector<WeatherStep>& series,
     }
 }
 
-//! Sets the position of the sun in the middle of a step, and its highest
-//! elevation.
+//! Sets the position of the sun in the middle of a step, and the highest
+//! elevation of the sun during the step.
 void place_sun(WeatherStep& step, const Site& site, seconds length) {
     const auto position_at = [&](ClockTime time) {
         return sun_position(site, date_at(time), hour_at(time));
@@ -106,17 +106,17 @@ void place_sun(WeatherStep& step, const Site& site, seconds length) {
                   position_at(step.middle + length / 2).zenith});
 }
 
-//! Returns the solar radiation other than PAR from the share of PAR; it has the
-//! diffuse fraction of PAR.
+//! Computes the solar radiation outside PAR from the share of PAR. Its diffuse
+//! fraction is that of PAR.
 Irradiance complement_par(const Irradiance& par, double share) {
     const double ratio = 1 / share - 1;
     return {ratio * par.beam, ratio * par.diffuse};
 }
 
-//! Warns if the number of photons does not match the global light.
+//! Warns if the number of photons and the global light are inconsistent.
 void compare_photons(const std::vector<WeatherStep>& steps, double par_fraction,
                      Findings& findings) {
-    // Photons of PAR over solar energy over a whole season [umol J-1].
+    // Photons of PAR per energy of sunlight over a whole season [umol J-1].
     constexpr double expected = 2.06, tolerated = 0.05;
     double photons = 0, energy = 0;
     for (const WeatherStep& step : steps)

@@ -23,7 +23,8 @@ bool has_column(const std::vector<CsvField>& header, std::string_view name) {
         [&](const CsvField& field) { return field.text == name; });
 }
 
-//! Maps the columns that `ideotype weather` writes, as far as present.
+//! Maps those columns that `ideotype weather` writes and that the header
+//! contains.
 ColumnMap map_native_columns(ColumnMap columns,
                              const std::vector<CsvField>& header) {
     columns.time = {"time"};
@@ -43,8 +44,7 @@ ColumnMap map_native_columns(ColumnMap columns,
     return columns;
 }
 
-//! Explains how to map the columns of a file in another format, or to convert
-//! it.
+//! Explains how to convert a file in another format, or how to map its columns.
 std::string explain_conversion(const WeatherRequest& request) {
     const std::string& file = request.file;
     std::string command = fmt::format(
@@ -62,7 +62,7 @@ std::string explain_conversion(const WeatherRequest& request) {
            command;
 }
 
-//! Reads the header: the first line with the column of time.
+//! Reads the header: the first line that contains the time column.
 WeatherTable read_header(const std::vector<std::string_view>& lines,
                          const WeatherRequest& request, Findings& findings) {
     WeatherTable table{request.columns, {}};
@@ -94,7 +94,7 @@ const char* get_name(DateOrder order) {
     }
 }
 
-//! Reads the time stamps of all rows, on one clock.
+//! Reads the time stamps of all rows, and converts them to one clock.
 void read_stamps(WeatherTable& table,
                  const std::vector<std::string_view>& lines, double site_offset,
                  Findings& findings) {
@@ -120,14 +120,15 @@ void read_stamps(WeatherTable& table,
             continue;
         }
         if (written->utc_offset) {
-            // The offset of the first row applies to all rows, since summer
-            // time may begin or end in the file.
+            // Apply the offset of the first row to all rows, since summer time
+            // may begin or end within the file.
             if (!offset) offset = written->utc_offset;
             table.rows.back().middle =
                 later(written->time, *offset - *written->utc_offset);
         }
     }
-    // Report unreadable stamps once, with an order of dates that would fit.
+    // Report unreadable stamps once, and suggest an order of day, month and
+    // year that would read them.
     if (!unreadable.empty()) {
         const auto order = find_date_order(stamps);
         const std::string remedy =
@@ -170,8 +171,8 @@ void find_step(WeatherTable& table, Findings& findings) {
         row.middle += stamp == Stamp::beginning ? half : -half;
 }
 
-//! Chooses the site's clock if the date would change by day on the file's
-//! clock.
+//! Chooses the site's clock if the date on the file's clock would change during
+//! daylight.
 void choose_clock(WeatherTable& table, Site site) {
     const double shift = site.utc_offset - table.utc_offset;
     std::swap(site.utc_offset, table.utc_offset);
@@ -203,8 +204,7 @@ void check_order(const WeatherTable& table, Findings& findings) {
     findings.stop_if_any();
 }
 
-//! Removes the rows outside the period; by default the period is that of the
-//! file.
+//! Removes the rows outside the period, by default the period of the file.
 void select_period(WeatherTable& table, const std::optional<Period>& period,
                    Findings& findings) {
     auto& rows = table.rows;

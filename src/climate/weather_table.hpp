@@ -21,7 +21,7 @@ namespace ideotype {
 //! An instant on the clock of a file or a site.
 using ClockTime = std::chrono::local_seconds;
 
-//! A time as it is written in a file.
+//! A time as the file gives it.
 struct WrittenTime {
     ClockTime time;
     std::optional<double> utc_offset;  //!< offset of the clock [h]
@@ -47,8 +47,8 @@ ClockTime later(ClockTime time, double hours);
 std::optional<WrittenTime> parse_time(const std::vector<CsvField>& parts,
                                       DateOrder order);
 
-//! Collects problems with a file, which end its reading, and doubts, which
-//! become warnings.
+//! Collects problems with a file, after which it cannot be used, and doubts,
+//! which become warnings.
 class Findings {
   public:
     explicit Findings(std::string file) : file_(std::move(file)) {}
@@ -64,9 +64,9 @@ class Findings {
               fmt::format(message, std::forward<Args>(args)...)}});
     }
 
-    //! Adds a problem of a row. Problems of one kind, with the same format and
-    //! column, are merged and counted.
-    //! @param field index of the column with the fault; 0 for whole rows
+    //! Adds a problem of a row. Problems with the same format and column are
+    //! merged and counted.
+    //! @param field index of the faulty column; 0 if the whole row is at fault
     template <class... Args>
     void add_row(std::size_t field, int line, int column,
                  fmt::format_string<Args...> message, Args&&... args) {
@@ -81,7 +81,7 @@ class Findings {
         problems_.back().kind = kind;
     }
 
-    //! @throws InputError if there are problems.
+    //! @throws InputError if any problem has been added.
     void stop_if_any() const {
         if (problems_.empty()) return;
         std::vector<Problem> merged;
@@ -120,8 +120,8 @@ class Findings {
         doubts_.push_back({text, line, is_counted ? 1 : 0});
     }
 
-    //! Returns "text (N times)" for each kind of doubt, with its first
-    //! location.
+    //! Returns "text (N times)" for each different doubt, with the location
+    //! where it first occurred.
     std::vector<Problem> warnings() const {
         std::vector<Problem> warnings;
         for (const auto& [text, line, count] : doubts_)
@@ -139,14 +139,14 @@ class Findings {
     struct Doubt {
         std::string text;
         int line;
-        int count;  //!< number of times; 0 if there can be only one
+        int count;  //!< number of occurrences; 0 if there can be only one
     };
     //! The format of a message, and the index of a column.
     using Kind = std::pair<std::string_view, std::size_t>;
     struct Listed {
         Problem problem;
         Kind kind{};
-        std::vector<int> lines{};  //!< lines of later problems of its kind
+        std::vector<int> lines{};  //!< lines of later problems of the same kind
     };
     std::string file_;
     std::vector<Listed> problems_;
@@ -158,25 +158,26 @@ struct WeatherValues {
     std::optional<double> global;       //!< all solar radiation [W m-2]
     std::optional<double> beam_normal;  //!< on a plane facing the sun [W m-2]
     std::optional<double> diffuse;      //!< diffuse light [W m-2]
-    std::optional<double> diffuse_fraction;  //!< part of global light, 0 to 1
-    std::optional<double> ppfd;         //!< photons as solar radiation [W m-2]
+    std::optional<double>
+        diffuse_fraction;        //!< diffuse part of global light, 0 to 1
+    std::optional<double> ppfd;  //!< photons as solar radiation [W m-2]
     std::optional<double> temperature;  //!< air temperature [deg C]
     std::optional<double> humidity;     //!< relative humidity, 0 to 1
     std::optional<double> wind;         //!< speed [m s-1]
     std::optional<double> pressure;     //!< air pressure [kPa]
     std::optional<double> longwave;     //!< radiation of the sky [W m-2]
 
-    //! Returns whether the light on the ground can be computed from the values.
+    //! Returns whether the values suffice to compute the light on the ground.
     bool lit() const { return global || (beam_normal && diffuse); }
 };
 
-//! A time step, with a row of the file or between rows.
+//! A time step, which may lack a row in the file.
 struct WeatherStep {
-    int line = 0;  //!< line of its row, or of the row before it
+    int line = 0;  //!< line of its row, or of the previous row
     ClockTime middle;
     WeatherValues values{};
     SunPosition sun{};   //!< sun in the middle of the step
-    double highest = 0;  //!< highest sun at begin, middle or end [deg]
+    double highest = 0;  //!< highest sun during the step [deg]
 };
 
 //! The rows of a period in order.
@@ -187,55 +188,59 @@ struct WeatherTable {
     std::vector<WeatherStep> rows{};
     double utc_offset = 0;  //!< offset from UTC of the clock [h]
     std::chrono::seconds step{3600};
-    //! Whether the global light, or else the beam, is given in photons.
+    //! Whether global light (or the beam, if there is none) is given in
+    //! photons.
     bool counts_photons = false;
-    //! First and last midnight of the period; by default those of the rows.
+    //! First and last midnight of the period, by default of the rows.
     ClockTime begin{}, end{};
 
-    //! Returns the part of a step that stamps mark.
+    //! Returns the part of a step that its time stamp marks.
     Stamp stamp() const { return columns.stamp.value_or(Stamp::end); }
 
-    //! Finds a column by name; adds a problem unless exactly one has it.
+    //! Returns the column with a name; adds a problem if there is none or
+    //! several.
     std::optional<std::size_t> find_column(const std::string& name,
                                            Findings& findings) const;
 };
 
-//! Finds the order in which all stamps can be read without going back in time;
-//! returns nothing if there is none. Of several orders, the one with the
-//! shortest period is chosen: the others mistake days for months.
-//! @param stamps fields of one stamp, for each row
+//! Finds the order of day, month and year that reads all stamps without going
+//! back in time; returns nothing if there is none. If there are several, it
+//! returns the one with the shortest period: the others mistake days for
+//! months.
+//! @param stamps fields of the time stamp, for each row
 std::optional<DateOrder> find_date_order(
     const std::vector<std::vector<CsvField>>& stamps);
 
-//! Reads the header and the rows of a period, without values.
-//! @throws InputError if the file is not a weather table or lacks the period,
-//! if a stamp is unreadable, or if rows are out of order.
+//! Reads the header and the rows of a period, except for their values.
+//! @throws InputError if the file is not a weather table or does not cover the
+//! period, if a stamp is unreadable, or if rows are out of order.
 WeatherTable read_table(const std::vector<std::string_view>& lines,
                         const WeatherRequest& request, Findings& findings);
 
-//! Reads the values of each row, and whether light is given in photons.
+//! Reads the values of each row, and determines whether light is given in
+//! photons.
 //! @throws InputError for unreadable columns, units and numbers.
 void read_values(WeatherTable& table,
                  const std::vector<std::string_view>& lines,
                  double par_fraction, Findings& findings);
 
 //! Splits the solar radiation of each step into beam and diffuse light on the
-//! ground [W m-2]. Photons are converted by way of PAR over the requested
-//! fraction.
-//! @throws InputError if light is unknown by day.
+//! ground [W m-2]. Photons have been converted to energy with the requested
+//! fraction of PAR.
+//! @throws InputError if the light of a step by day is unknown.
 std::vector<Irradiance> split_light(const std::vector<WeatherStep>& series,
                                     Findings& findings);
 
-//! Checks that the light matches the sun of a site on the clock of the steps;
-//! warns of a doubtful match.
-//! @param table rows of the file, with the part of a step that stamps mark
-//! @throws InputError if the light cannot be that of the site.
+//! Checks that the light matches the sun at a site, and warns of a doubtful
+//! match.
+//! @param table rows of the file, and the part of a step that stamps mark
+//! @throws InputError if the light cannot have been measured at the site.
 void check_place(const WeatherTable& table,
                  const std::vector<WeatherStep>& series,
                  const std::vector<Irradiance>& light, const Site& site,
                  Findings& findings);
 
-//! Returns an entry of a row; an empty one if the row is too short.
+//! Returns a field of a row; an empty one if the row is too short.
 inline CsvField entry(const std::vector<CsvField>& fields, std::size_t index) {
     return index < fields.size() ? fields[index]
                                  : CsvField{{}, fields.back().column};

@@ -14,11 +14,11 @@ namespace {
 
 enum class Kind { light, fraction, temperature, speed, pressure };
 
-//! The basis of a unit of light: power, energy of a time step, or photons.
+//! Whether light is given as power, as energy per time step, or as photons.
 enum class Per { itself, second, photon };
 
-//! The linear conversion of a number in a file to the program's unit: factor
-//! times number plus offset.
+//! The linear conversion of a number in a file to the program's unit: number
+//! times factor plus offset.
 struct Scale {
     double factor = 1;
     double offset = 0;
@@ -76,7 +76,7 @@ std::string normalize(std::string_view unit) {
     return text;
 }
 
-//! A column with the conversion and the plausible range of its numbers.
+//! A column, with the conversion and the plausible range of its values.
 struct Source {
     std::size_t index = 0;
     Scale scale;
@@ -85,8 +85,8 @@ struct Source {
     std::string_view unit;
 };
 
-//! Finds the columns with values, the scales of their units, and whether light
-//! is given in photons.
+//! Finds the columns with values and the conversions of their units. Also sets
+//! whether light is given in photons.
 std::vector<Source> find_sources(WeatherTable& table, double par_fraction,
                                  Findings& findings) {
     using Values = WeatherValues;
@@ -99,7 +99,7 @@ std::vector<Source> find_sources(WeatherTable& table, double par_fraction,
         if (!column) return;
         source.index = table.find_column(column->name, findings).value_or(0);
         const std::string name = normalize(column->unit);
-        // Find the unit among those of the kind.
+        // Find the unit among those of the quantity.
         std::string names;
         for (const Unit& unit : units) {
             if (unit.kind != kind) continue;

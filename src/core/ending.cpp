@@ -36,14 +36,15 @@ void report(const char* reason) {
     std::_Exit(static_cast<int>(ExitCode::runtime));
 }
 
-// Reports a segmentation fault: OpenSSL and HDF5 use some null pointers of
-// failed allocations. The instruction is then executed again, and the signal
-// ends the process.
+// Reports a segmentation fault. It may be a lack of memory: OpenSSL and HDF5
+// use some null pointers that failed allocations returned. On return, the
+// instruction is executed again, and the signal ends the process.
 void report_segmentation_fault(int /*signal*/) {
     report("segmentation fault");
 }
 
-// Handles segmentation faults, unless a sanitizer does, which reports more.
+// Handles segmentation faults, unless a sanitizer already does: its report is
+// more detailed.
 void watch_for_segmentation_fault() {
     struct sigaction action {};
     sigaction(SIGSEGV, nullptr, &action);

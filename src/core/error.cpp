@@ -97,7 +97,7 @@ std::string shorten_quotes(const std::string& message) {
         const std::size_t end = std::min(
             rest.find_first_of(is_quote ? "\"" : "\" \n"), rest.size());
         const std::string_view part = rest.substr(0, end);
-        // Paths outside quotes are not cut, so that users can copy them.
+        // Paths outside quotes are not shortened, so that users can copy them.
         if (is_quote || part.find('/') == part.npos)
             add(part);
         else
@@ -129,10 +129,12 @@ InputError::InputError(std::vector<Problem> problems)
 std::string nearest_name(const std::string& word,
                          const std::vector<std::string>& candidates) {
     std::string nearest;
-    // A suggestion with less than half of the letters in common would confuse.
+    // A suggestion that shares less than half of its letters with the word
+    // would confuse.
     std::size_t shortest = word.size() / 2 + 1;
     for (const std::string& candidate : candidates) {
-        // A much longer word is too distant, and may have megabytes.
+        // Skip words that are much longer: they are too distant, and may be
+        // megabytes long.
         if (word.size() >= candidate.size() + shortest) continue;
         // Words in another order count as one mistake.
         const std::size_t distance = std::min(

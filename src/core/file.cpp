@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Reads an open file to its end, up to a size.
+//! Reads an open file to its end, but at most `limit` bytes.
 FileText read_open(int file, std::uintmax_t limit) {
     FileText result;
     struct stat status {};

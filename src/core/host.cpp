@@ -15,12 +15,12 @@ namespace ideotype {
 
 namespace {
 
-// The number of arguments, large enough to distinguish variants of a function
-// that differ in one of a thousand results.
+// Number of arguments. It is large enough to distinguish two variants of a
+// function if one in a thousand of their results differs.
 constexpr int samples = 20000;
 
-//! Adds the results of all functions at a point of the unit interval, each for
-//! an argument typical of the program.
+//! Appends the result of each mathematical function. A number `u` from 0 to 1
+//! is mapped to arguments that are typical of the program.
 void add_results(std::vector<double>& results, double u) {
     const double angle = 20 * u - 10;
     const double unit = 2 * u - 1;

@@ -8,8 +8,8 @@ namespace ideotype {
 namespace {
 
 std::array<SobolDirections, sobol_dimensions> make_directions() {
-    // The table has the polynomial of each dimension from the second on, and
-    // its first direction integers; the others follow from a recurrence.
+    // For each dimension from the second on, the table contains the polynomial
+    // and the first direction integers; a recurrence gives the others.
     using Table = boost::random::default_sobol_table;
     std::array<SobolDirections, sobol_dimensions> directions{};
     for (unsigned bit = 0; bit < 32; ++bit)

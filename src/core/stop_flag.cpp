@@ -12,8 +12,8 @@ namespace ideotype {
 
 namespace {
 
-// State of the signal handler, which can access only static variables; it
-// belongs to the single StopFlag.
+// State of the signal handler, which can access only static variables. Only one
+// StopFlag exists, and uses it.
 std::atomic<int> first_signal{0};
 std::atomic<bool> interrupted{false};
 std::atomic<bool> stop_requested{false};

@@ -13,14 +13,15 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the harmonic mean of the slopes on both sides of a value, 0 at an
-//! extremum: it keeps the curve monotone.
+//! Returns the slope of the curve at an inner value: the harmonic mean of the
+//! slopes on both sides, or 0 at an extremum. This keeps the curve monotone.
 double inner_slope(double left, double right) {
     return left * right > 0 ? 2 * left * right / (left + right) : 0;
 }
 
-//! Returns the slope at the first value: that of the parabola through three
-//! values, at most three times the first slope and never against it.
+//! Returns the slope of the curve at the first value, from the parabola through
+//! three values. It is limited to three times the first slope and never
+//! opposite to it.
 double end_slope(double first, double second) {
     const double slope = (3 * first - second) / 2;
     if (slope * first <= 0) return 0;
@@ -36,8 +37,7 @@ MeasureInfo require_measure(Plant& plant, const std::string& name) {
     return *measure;
 }
 
-//! Applies a trait value to a value of a measure, within the limits of the
-//! measure.
+//! Changes a measure by the value of a trait, within the limits of the measure.
 void act(TraitEffect effect, double number, const MeasureInfo& measure,
          double& value) {
     switch (effect) {

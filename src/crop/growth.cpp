@@ -16,8 +16,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the relative position of a value between two limits, 0 at the first
-//! or below and 1 at the second or above.
+//! Maps a value linearly from [first, last] to [0, 1]; values outside are
+//! clamped.
 double ramp(double value, double first, double last) {
     if (value <= first) return 0;
     return value >= last ? 1 : (value - first) / (last - first);
@@ -54,8 +54,8 @@ double death(const Growth& growth, int rank) {
            growth.upper_interval * (rank - lower - 1);
 }
 
-//! Interpolates points at equal steps from silking to maturity; before silking
-//! the first point applies.
+//! Interpolates values that are given at equal steps from silking to maturity.
+//! Before silking, the first value applies.
 double after_silking(const Growth& growth, std::span<const double> points,
                      double thermal_time) {
     IDEOTYPE_EXPECT(!points.empty());
@@ -65,7 +65,7 @@ double after_silking(const Growth& growth, std::span<const double> points,
                          share * static_cast<double>(points.size() - 1));
 }
 
-//! Returns the number of leaves below those of the plant.
+//! Returns the number of leaves below the lowest leaf of the plant.
 //! @throws Error if the plant has more leaves than `growth`.
 std::size_t leaves_below(const Growth& growth, const Plant& plant) {
     const auto leaves = static_cast<std::size_t>(growth.leaves);
@@ -164,8 +164,8 @@ std::vector<double> collar_heights(const Growth& growth,
             growth.internode_rate * (thermal_time - leaves[i].collar);
         is_full = is_full && grown >= internode;
         stem += std::clamp(grown, 0., internode);
-        // Full-grown parts get the final height itself, without rounding errors
-        // of the sum.
+        // Fully grown parts get exactly their final height, without the
+        // rounding errors of the sum.
         heights.push_back(
             is_full ? final_heights[i]
                     : stem + sheath_length *
@@ -186,7 +186,7 @@ Plant complete_plant(const Growth& growth, const Plant& plant) {
         leaf.length *= size;
         leaf.width *= size;
         leaf.insertion_height = heights[i - 1];
-        // Azimuths alternate between those of the two lowest leaves.
+        // Azimuths alternate between the azimuths of the two lowest leaves.
         leaf.azimuth =
             plant.leaves
                 .at((below - i) % 2 == 0

@@ -45,8 +45,9 @@ std::array<double, controls_along> basis(double t) {
     return values;
 }
 
-//! Returns control points of the cubic through the given points at the Greville
-//! abscissae. The first and last control points are the end points.
+//! Returns the control points of the cubic curve that passes through the given
+//! points at the Greville abscissae. The first and last control points are the
+//! ends of the curve.
 std::array<glm::dvec2, controls_along> interpolate(
     const std::array<glm::dvec2, controls_along>& points) {
     glm::dmat4 collocation(0);  // column-major matrix: [control][abscissa]
@@ -68,10 +69,9 @@ std::array<glm::dvec2, controls_along> interpolate(
             {y[2], z[2]},   {y[3], z[3]}, points.back()};
 }
 
-//! Returns the relative arc length at the middle of each segment of a digitised
-//! midrib, and the angle of the segment from the vertical [deg]. Angles are
-//! unwrapped: they exceed 180 where the midrib curls, and never jump by more
-//! than 180.
+//! For each segment of a digitised midrib, returns the relative arc length at
+//! its middle and its angle from the vertical [deg]. Angles are unwrapped: they
+//! exceed 180 where the midrib curls, and never jump by more than 180.
 std::vector<glm::dvec2> measure_angles(const std::vector<glm::dvec2>& points) {
     std::vector<glm::dvec2> angles;
     double length = 0;
@@ -110,7 +110,8 @@ double LeafSurface::angle(double s) const {
     const double bend = std::pow(s, blade_.curvature_exponent);
     if (digitised_.empty())
         return degree * (leaf_.insertion_angle + leaf_.curvature * bend);
-    // Interpolate the angles of segments, and add the changes by traits.
+    // Interpolate the angles of segments, and add the changes that traits
+    // cause.
     const glm::dvec2 first = digitised_.front(), last = digitised_.back();
     const auto next =
         std::find_if(digitised_.begin(), digitised_.end(),
@@ -159,7 +160,8 @@ LeafSurface::LeafSurface(const Leaf& leaf, const Blade& blade, double distance)
         }
         return;
     }
-    // Otherwise six control points follow the curve of the angles.
+    // Otherwise define the midrib by six control points that follow the given
+    // angles.
     std::array<glm::dvec2, controls_along> midrib;
     midrib[0] = end;
     for (std::size_t i = 1; i < controls_along; ++i) {
@@ -215,7 +217,8 @@ BladeRow LeafSurface::row(double t) const {
 
 std::vector<BladeRow> LeafSurface::tessellate(int cells, double begin,
                                               double end) const {
-    // Measure the polyline of the whole blade, which is to be stretched.
+    // Measure the polyline of the whole blade; below it is scaled to the leaf's
+    // length and width.
     std::vector<BladeRow> rows;
     double length = 0;
     double width = 0;

@@ -23,14 +23,15 @@ struct BladeCells {
     int along, across;
 };
 
-//! Returns the numbers of faces of a blade. The faces of a leaflet are nearly
-//! square, so that the light on each is as even as their number permits.
+//! Returns the numbers of faces of a blade. Faces of a leaflet are nearly
+//! square, so that the light varies as little within each face as their number
+//! permits.
 BladeCells choose_cells(const Blade& blade, int along) {
     return blade.leaflets == 1 ? BladeCells{along, 1}
                                : BladeCells{std::max(4, 2 * along / 3), 2};
 }
 
-//! A part of the length of a blade, in relative arc lengths.
+//! A part of a blade, between two relative arc lengths.
 struct BladePart {
     double begin = 0, end = 1;
 };
@@ -44,9 +45,9 @@ int green_cells(const Leaf& leaf, int along) {
         along - 1);
 }
 
-//! Adds a leaflet, or a part of it, with the length and width of a leaf.
-//! @param base base of the leaflet, out from the axis of the stalk [m]
-//! @param aside azimuth of the leaflet from that of the leaf [deg]
+//! Adds a leaflet, or a part of it, with the length and width given by `leaf`.
+//! @param base distance of the leaflet's base from the stalk's axis [m]
+//! @param aside azimuth of the leaflet relative to the leaf [deg]
 void add_leaflet(Mesh& mesh, std::uint32_t group, const Leaf& leaf,
                  const Blade& blade, double base, double aside,
                  BladeCells cells, BladePart part) {

@@ -11,11 +11,12 @@ namespace ideotype {
 //! row (+y), 90 across it (+x).
 glm::dvec3 about_stalk(const glm::dvec3& v, double azimuth);
 
-//! Returns the end of a leaf's petiole, out from the stalk's axis and up [m].
+//! Returns the end of a leaf's petiole: its distance from the stalk's axis and
+//! its height [m].
 glm::dvec2 petiole_end(const Plant& plant, const Leaf& leaf);
 
-//! Returns the end of a leaf's rachis, where its middle leaflet begins, out
-//! from the axis of the stalk and up [m].
+//! Returns the end of a leaf's rachis, where the middle leaflet begins: its
+//! distance from the stalk's axis and its height [m].
 glm::dvec2 rachis_end(const Plant& plant, const Leaf& leaf);
 
 //! Adds the green, visible part of the leaflets of a leaf to a group of a mesh.

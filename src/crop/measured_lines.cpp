@@ -13,8 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! A leaf given by its distance in ranks from the leaf at the ear, or from the
-//! highest leaf.
+//! A leaf given by its rank relative to the ear leaf or to the highest leaf.
 struct RelativeLeaf {
     bool is_from_ear;
     int ranks;
@@ -33,8 +32,8 @@ std::optional<RelativeLeaf> parse_leaf(const std::string& leaf) {
     return relative;
 }
 
-//! Returns the rank of the leaf at the ear, from 1; for plants without an ear
-//! the rank at 60 % of all leaves.
+//! Returns the rank of the ear leaf, counted from 1. In plants without an ear,
+//! it is the rank at 60 % of the number of leaves.
 int ear_rank(const Plant& plant) {
     for (const Organ& organ : plant.organs)
         if (organ.name == "ear" && organ.leaf > 0) return organ.leaf;

@@ -106,8 +106,8 @@ class ObjBuilder {
     }
 
   private:
-    //! A polygon. Files may have millions of them, so all corners are in one
-    //! list.
+    //! A polygon. Its corners are a range of one list for all polygons, since
+    //! files may contain millions of them.
     struct Polygon {
         std::size_t first;  //!< index of the first corner in corners_
         std::uint32_t count;
@@ -154,8 +154,8 @@ class ObjBuilder {
         name_ = name.empty() ? "unnamed" : std::move(name);
     }
 
-    //! Returns the index of the current group, which is created for its first
-    //! face.
+    //! Returns the index of the current group. The group is created when its
+    //! first face is read.
     std::uint32_t group() {
         std::vector<Group>& groups = result_.mesh.groups;
         const auto [entry, is_new] = group_index_.try_emplace(

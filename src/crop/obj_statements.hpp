@@ -6,7 +6,7 @@
 
 namespace ideotype {
 
-//! The number of occurrences of a finding in a file, with the first line.
+//! The number of times that a finding occurs in a file, and its first line.
 struct Occurrences {
     int count = 0;
     int first_line = 0;
@@ -16,16 +16,16 @@ struct Occurrences {
     }
 };
 
-//! The statements of an OBJ text that make surfaces: v, f, g and o.
+//! The statements of an OBJ text that define surfaces: v, f, g and o.
 struct ObjStatements {
     std::string text;  //!< statements, one per line, continuations joined
     std::vector<int> vertex_lines;  //!< line in the file, per vertex
     std::vector<int> face_lines;    //!< line in the file, per face
-    Occurrences unknown;  //!< statements not in the OBJ standard, left out
+    Occurrences unknown;  //!< statements that the OBJ standard lacks; ignored
 };
 
-//! Extracts the statements that define surfaces, and checks their numbers: the
-//! library would read other words as zero.
+//! Extracts the statements that define surfaces, and checks their numbers,
+//! because the library would read other words as zero.
 //! @throws InputError with the location of the first word that is not a number.
 ObjStatements pick_statements(const std::string& text, const std::string& file);
 

@@ -22,8 +22,8 @@ struct Frustum {
     glm::dvec3 right{1, 0, 0}, far{0, 1, 0};  //!< unit vectors across the axis
 };
 
-//! Adds a prism with the perimeter of the circle. A flat top closes it, unless
-//! a part at least as thick follows.
+//! Adds a prism with the same perimeter as the circular cross-section. Its top
+//! is closed by a flat face, unless a part that is at least as thick follows.
 void add_frustum(Mesh& mesh, std::uint32_t group, const Frustum& shape,
                  int sides, bool has_top = true) {
     const auto n = static_cast<std::uint32_t>(sides);
@@ -54,7 +54,8 @@ void add_frustum(Mesh& mesh, std::uint32_t group, const Frustum& shape,
     }
 }
 
-//! A part of the stalk's length with one visible surface [m].
+//! A section of the stalk between two heights [m], with the stalk or a sheath
+//! as its visible surface.
 struct Section {
     double lower, upper;
     bool is_sheath;
@@ -64,8 +65,8 @@ struct Section {
 std::vector<Section> list_sections(const Plant& plant) {
     const Sheath& sheath = plant.sheath;
     if (!sheath.is_present) return {{0, plant.stalk.height, false}};
-    // Light is averaged over a surface that assimilates, so green sheaths are
-    // kept apart.
+    // Light is averaged over each surface that assimilates, so green sheaths
+    // are not merged.
     const bool joins = !(sheath.capacity > 0);
     std::vector<Section> parts;
     const auto add = [&](double upper, bool is_sheath) {
@@ -102,8 +103,8 @@ void add_sections(Mesh& mesh, const Plant& plant, bool is_sheath, int sides) {
     }
 }
 
-//! Adds petioles and rachises, each between two points in the plane of the
-//! leaf.
+//! Adds petioles and rachises. Each is a cone between two points in the plane
+//! of the leaf.
 void add_petioles(Mesh& mesh, const Plant& plant) {
     constexpr int sides = 4;
     const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);
@@ -128,7 +129,8 @@ void add_petioles(Mesh& mesh, const Plant& plant) {
     }
 }
 
-//! Adds the cones of an organ, evenly about the stalk and over its spread.
+//! Adds the cones of an organ, spaced evenly about the stalk and along the
+//! organ's spread.
 void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
     const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);
     const Leaf* leaf =
@@ -143,7 +145,7 @@ void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
             (leaf ? leaf->azimuth : 0) + 360.0 * i / organ.count;
         const double up =
             organ.count < 2 ? 0 : organ.spread * i / (organ.count - 1);
-        // An organ that leans out begins at the stalk's surface.
+        // An organ that leans outwards begins at the stalk's surface.
         const double out = leaf ? plant.stalk.radius(foot) : 0;
         const glm::dvec3 axis =
             about_stalk(glm::dvec3{0, sine, cosine}, azimuth);

@@ -61,7 +61,8 @@ Plant deviating(Plant plant, const PlantVariation& variation,
         leaf.insertion_angle += deviation(variation.insertion_angle, angle);
         leaf.azimuth += deviation(variation.azimuth, azimuth);
         leaf.curvature += deviation(variation.curvature, curvature);
-        // The formula of the midrib is meant for leaves that lean outwards.
+        // The formula for the midrib is meant only for leaves that lean
+        // outwards.
         if (leaf.midrib.empty()) {
             leaf.insertion_angle = std::abs(leaf.insertion_angle);
             leaf.curvature = std::max(0.0, leaf.curvature);

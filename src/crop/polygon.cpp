@@ -10,12 +10,12 @@ namespace ideotype {
 
 namespace {
 
-//! Areas below this fraction of the squared diameter are taken for rounding
+//! Areas below this fraction of the squared diameter are considered rounding
 //! errors.
 constexpr double negligible = 1e-12;
 
-//! Largest number of corners visited to split a polygon: about a second of
-//! work.
+//! Largest number of corners visited when a polygon is split, which takes about
+//! a second.
 constexpr std::size_t most_visits = 300'000'000;
 
 double cross(const glm::dvec2& u, const glm::dvec2& v) {
@@ -50,8 +50,8 @@ class Outline {
 
     bool has_area() const { return fan_area_ > negligible * size_; }
 
-    //! Returns whether the polygon has a mean plane; parts that turn in
-    //! opposite directions may cancel.
+    //! Returns whether the polygon has a mean plane. It has none if parts that
+    //! turn in opposite directions cancel.
     bool has_plane() const { return area_ > negligible * size_; }
 
     //! Returns twice the area of a triangle, negative if it turns clockwise.
@@ -68,8 +68,8 @@ class Outline {
         return points_[a] == points_[b];
     }
 
-    //! Returns whether the triangles between one corner and the edges do not
-    //! overlap.
+    //! Returns whether the polygon can be split into triangles that join one
+    //! corner to the edges, without overlap.
     bool is_fan(std::size_t hub) const {
         const std::size_t n = points_.size();
         for (std::size_t i = 1; i + 1 < n; ++i)
@@ -138,8 +138,8 @@ class EarClipping {
         const std::size_t c = left_[after(at)];
         if (!(outline_.turn(a, b, c) >= 0)) return false;
         visits_ += left_.size();
-        // Outlines with holes pass some points twice; repeated points are
-        // ignored.
+        // The outline of a polygon with holes visits some points twice; ignore
+        // such copies of a, b and c.
         return std::none_of(left_.begin(), left_.end(), [&](std::size_t p) {
             return !outline_.coincide(p, a) && !outline_.coincide(p, b) &&
                    !outline_.coincide(p, c) && outline_.is_inside(p, a, b, c);
@@ -158,7 +158,7 @@ void remove_repeated(Corners& corners) {
         corners.pop_back();
 }
 
-//! Returns the triangles between the first corner of a polygon and its edges.
+//! Splits a polygon into the triangles between its first corner and its edges.
 SplitPolygon split_as_fan(const Corners& corners, PolygonKind kind) {
     SplitPolygon result{kind, {}};
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)

@@ -23,8 +23,9 @@ struct Leader {
     double mean() const { return sum / evaluations; }
 };
 
-//! A cell of the atlas that is occupied: its best known plant, and a challenger
-//! that seems better until both have been evaluated in one generation.
+//! An occupied cell of the atlas. It contains its best known plant, the leader,
+//! and possibly a challenger: a plant that seems better but has not yet been
+//! evaluated in one generation with the leader.
 struct Niche {
     Leader leader;
     std::optional<Leader> challenger;
@@ -33,15 +34,15 @@ struct Niche {
 //! Finds the best plant of each kind by MAP-Elites (Mouret and Clune 2015,
 //! arXiv:1504.04909), adapted to noisy objectives. Kinds are the cells of a
 //! grid over features such as leaf area and height; plants outside the grid are
-//! ignored. Generation 0 is that of GeneticAlgorithm; later generations are
-//! children of leaders that are drawn with equal probability.
+//! ignored. Generation 0 is made as in GeneticAlgorithm. Later generations are
+//! children of leaders, which are selected with equal probability.
 //!
-//! A single evaluation does not distinguish a better plant from a lucky one. A
-//! plant above the mean of a leader therefore becomes its challenger, and
-//! replaces it only if it also wins in the next generation, where both share
-//! random numbers. Leaders with the fewest evaluations are re-evaluated, so
-//! that none stays by luck (adaptive sampling: Justesen et al. 2019,
-//! doi:10.1145/3319619.3321904).
+//! A single evaluation cannot distinguish a better plant from a lucky one. A
+//! plant with a value above a leader's mean therefore becomes its challenger.
+//! It replaces the leader only if it also wins in the next generation, where
+//! both use common random numbers. Leaders with the fewest evaluations are
+//! re-evaluated, so that none remains by luck (adaptive sampling: Justesen et
+//! al. 2019, doi:10.1145/3319619.3321904).
 class Atlas : public GenerationalOptimizer {
   public:
     Atlas(const SearchSettings& settings, SearchSpace space, std::uint64_t seed)
@@ -85,9 +86,9 @@ class Atlas : public GenerationalOptimizer {
     }
 
   private:
-    //! Moves a plant along the line to another, and slightly in random
+    //! Moves a plant along the line to another plant, and slightly in random
     //! directions (Vassiliades and Mouret 2018, doi:10.1145/3205455.3205602).
-    //! The line preserves features that both leaders share.
+    //! Moves along the line preserve features that both parents share.
     Genome make_child(const Genome& mother, const Genome& father,
                       std::uint32_t slot) {
         // Standard deviation of isotropic steps, relative to the range of a
@@ -120,8 +121,8 @@ class Atlas : public GenerationalOptimizer {
         plan();
     }
 
-    //! Compares challengers with their leaders, and updates the means of other
-    //! leaders. A failed evaluation loses.
+    //! Compares challengers with their leaders, and updates the means of the
+    //! other re-evaluated leaders. A plant with a failed evaluation loses.
     void judge(const Population& evaluated) {
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             Niche& niche = niches_.at(cells_[i]);
@@ -137,8 +138,8 @@ class Atlas : public GenerationalOptimizer {
         }
     }
 
-    //! Makes a feasible plant the leader of an empty niche, or a challenger of
-    //! its leader.
+    //! Makes a feasible plant the leader of its cell if the cell is empty, or a
+    //! challenger if the plant seems better than the leader.
     void place(const Individual& plant, std::int64_t row) {
         const auto cell = find_cell(plant);
         if (!cell) return;
@@ -152,9 +153,10 @@ class Atlas : public GenerationalOptimizer {
             challenger = make_leader(plant, row);
     }
 
-    //! Chooses the plants to re-evaluate: up to half of a generation for
-    //! leaders with challengers, the closest pairs last, and up to an eighth
-    //! for other leaders, those with the fewest evaluations first.
+    //! Chooses the plants to re-evaluate. Up to half of a generation are
+    //! leaders and their challengers, pairs with the largest difference of
+    //! means first. Up to an eighth are other leaders, those with the fewest
+    //! evaluations first.
     void plan() {
         repeats_.clear();
         cells_.clear();

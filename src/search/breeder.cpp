@@ -12,9 +12,10 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the spread factor of simulated binary crossover, bounded so that a
-//! child stays within `room` of the mean of its parents, in units of half their
-//! distance (Deb and Agrawal 1995, eq. 9, with bounds as in NSGA-II).
+//! Returns the spread factor of simulated binary crossover: the distance of a
+//! child from the mean of its parents, in units of half the parents' distance
+//! (Deb and Agrawal 1995, eq. 9). It is at most `room`, with bounds as in
+//! NSGA-II.
 double compute_spread(double u, double index, double room) {
     const double power = index + 1;
     const double alpha = std::isfinite(room) ? 2 - std::pow(room, -power) : 2.0;
@@ -93,7 +94,7 @@ std::pair<Candidate, Candidate> Breeder::make_children(
     Candidate second{father.individual.candidate.genome,
                      Origin::child,
                      {father.row, mother.row}};
-    // Draw all random numbers of each gene, used or not, to keep the streams
+    // Draw all random numbers of each gene, even if unused, to keep the streams
     // aligned.
     RandomStream crossover(seed_, Purpose::crossover, generation, slot);
     if (crossover.uniform() < settings_.crossover_probability)

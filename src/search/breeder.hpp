@@ -16,19 +16,20 @@ struct Parent {
     std::int64_t row = no_parent;
 };
 
-//! A function that selects a parent by random numbers.
+//! A function that selects a parent with random numbers.
 using Contest = std::function<Parent(RandomStream&)>;
 
 //! Makes children from parents, with the random numbers of a generation and
-//! slot: simulated binary crossover (Deb and Agrawal 1995), after which each
-//! crossed gene goes to either child (Deb et al. 2002), then polynomial
-//! mutation (Deb and Goyal 1996). On circular genes both operators act along
-//! the shorter arc. Genes that are not free keep the value of the baseline.
+//! slot. Genes are recombined by simulated binary crossover (Deb and Agrawal
+//! 1995), and each crossed gene goes to either child (Deb et al. 2002).
+//! Polynomial mutation follows (Deb and Goyal 1996). On circular genes both
+//! operators act along the shorter arc. Genes that are not free keep the value
+//! of the baseline.
 class Breeder {
   public:
     Breeder(const GaSettings& settings, SearchSpace space, std::uint64_t seed);
 
-    //! Makes the two children of a couple, for a slot and the next one.
+    //! Makes the two children of a couple, for `slot` and the slot after it.
     std::pair<Candidate, Candidate> make_children(const Contest& contest,
                                                   std::uint32_t generation,
                                                   std::uint32_t slot) const;

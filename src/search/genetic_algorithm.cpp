@@ -28,15 +28,15 @@ std::uint32_t hold_tournament(RandomStream& stream, std::size_t size,
     return winner;
 }
 
-//! A genetic algorithm with real-valued genes. Generation 0 is the baseline in
-//! slot 0 and random genomes, uniform within their bounds, in all other slots.
-//! Every later generation begins with the elites, the best distinct genomes of
-//! the parents, which are re-evaluated; the rest are children of couples
-//! selected by tournament (see Breeder).
+//! A genetic algorithm with real-valued genes. Generation 0 consists of the
+//! baseline in slot 0 and random genomes, uniform within their bounds, in all
+//! other slots. Every later generation begins with the elites: the best
+//! distinct genomes of the parents, which are re-evaluated. The other plants
+//! are children of couples selected by tournament (see Breeder).
 //!
-//! As NSGA-II (Deb et al. 2002, doi:10.1109/4235.996017), all of a generation
-//! are children. The best distinct individuals among children and parents, by
-//! front and crowding, are the next parents. Parents keep their outcomes,
+//! With NSGA-II (Deb et al. 2002, doi:10.1109/4235.996017), a whole generation
+//! are children. The next parents are the best distinct individuals among
+//! children and parents, by front and crowding. Parents keep their outcomes,
 //! although these may be lucky: re-evaluating them with the random numbers of
 //! their children costs more than it gains (docs/results/searches.md).
 class GeneticAlgorithm : public GenerationalOptimizer {
@@ -76,7 +76,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                              : couple_->children.second;
     }
 
-    //! Returns the best distinct individuals of the next parents.
+    //! Returns the best distinct individuals among the next parents.
     std::vector<Candidate> best(std::size_t count) const override {
         std::vector<Candidate> best =
             select_best(parents_, count, space_.senses, 0);
@@ -107,7 +107,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                 static_cast<std::size_t>(settings_.ga.elites), next_size()));
     }
 
-    //! Two children, the first of them for slot `first`.
+    //! A pair of children; the first is for slot `first`.
     struct Couple {
         std::uint32_t first = 0;
         std::pair<Candidate, Candidate> children;
@@ -140,8 +140,8 @@ class GeneticAlgorithm : public GenerationalOptimizer {
     Population parents_;               //!< individuals that may have children
     std::vector<std::int64_t> rows_;   //!< rows of the parents
     std::vector<std::size_t> places_;  //!< ranks of the parents, see places()
-    std::vector<Candidate> elites_;    //!< parents that are repeated
-    std::optional<Couple> couple_;     //!< children made last
+    std::vector<Candidate> elites_;    //!< parents that are re-evaluated
+    std::optional<Couple> couple_;     //!< the last children made
 };
 
 }  // namespace

@@ -19,9 +19,9 @@ namespace ideotype {
 
 namespace {
 
-//! Genomes that cover the space within their bounds, as independent random
-//! numbers or as points of a SobolSequence. It does not learn, and is the
-//! reference that every other search must beat.
+//! Proposes genomes that cover the space within their bounds: independent
+//! random numbers, or points of a SobolSequence. It does not learn, and is the
+//! reference for all other searches.
 class RandomSearch : public Optimizer {
   public:
     RandomSearch(const SearchSettings& settings, SearchSpace space,
@@ -102,8 +102,8 @@ std::unique_ptr<GenerationalOptimizer> make_generational(
     }
 }
 
-//! Independent searches that take turns: generation g belongs to search g mod
-//! n. Each search waits only for its own generations, while those of other
+//! Runs independent searches in turn: generation g belongs to search g mod n.
+//! Each search waits only for its own generations, while generations of other
 //! searches keep workers busy.
 class Streams : public Optimizer {
   public:
@@ -152,8 +152,8 @@ class Streams : public Optimizer {
         ends_.push_back(rows_);
     }
 
-    //! Returns the best candidates of all searches in turn, beginning with the
-    //! search that has the best row in its last generation.
+    //! Returns the best candidates of all searches in turn. The first is from
+    //! the search with the best row in its last generation.
     std::vector<Candidate> best(std::size_t count) const override {
         Population leaders;
         std::vector<const Stream*> led;
@@ -163,7 +163,7 @@ class Streams : public Optimizer {
             leaders.push_back(
                 stream.last[ranking(stream.last, senses_).front()]);
         }
-        // Take proposals in turn, from the leading search on.
+        // Take proposals in turn, beginning with the leading search.
         std::vector<std::vector<Candidate>> proposals;
         for (const std::uint32_t i : ranking(leaders, senses_)) {
             proposals.push_back(led[i]->search->best(count));
@@ -182,8 +182,8 @@ class Streams : public Optimizer {
     struct Stream {
         std::unique_ptr<GenerationalOptimizer> search;
         std::int64_t rows = 0;
-        //! First row of each generation, in the numbering of the search and in
-        //! that of the case.
+        //! First row of each generation, as numbered by the search and by the
+        //! case.
         std::vector<std::array<std::int64_t, 2>> first_rows{};
         Population last{};  //!< last generation
 
@@ -213,7 +213,8 @@ class Streams : public Optimizer {
 
     std::vector<Sense> senses_;
     std::vector<Stream> streams_;
-    std::vector<std::uint64_t> ends_;  //!< rows up to each generation's end
+    std::vector<std::uint64_t>
+        ends_;  //!< rows up to the end of each generation
     std::uint64_t rows_ = 0;
     Population learnt_;  //!< learnt rows of the current generation
 };
@@ -244,7 +245,8 @@ int usual_population(OptimizerKind optimizer, std::size_t free_genes) {
         4 + static_cast<int>(
                 3 * std::log(std::max(1., static_cast<double>(free_genes))));
     if (optimizer == OptimizerKind::cma_es) return cma_es_size;
-    // Two searches race; both find more with somewhat larger populations.
+    // Two searches share the population, and both find more if it is somewhat
+    // larger than twice the default.
     if (optimizer == OptimizerKind::automatic) return 5 * cma_es_size / 2;
     return 100;
 }

@@ -10,30 +10,31 @@
 
 namespace ideotype {
 
-//! The searched space of plants, and the senses of the objectives.
+//! The search space of plants, and whether each objective is maximised or
+//! minimised.
 struct SearchSpace {
     GeneSpace genes;
     Genome baseline;  //!< starting point of the search
     std::vector<Sense> senses{Sense::maximise};  //!< senses of the objectives
 };
 
-//! Proposes candidates row by row. A candidate is a function of the settings,
-//! the seed and the evaluated rows 0 to needs() - 1 only; further known rows
-//! and their order of arrival have no effect. Random numbers are a function of
-//! (seed, purpose, generation, slot). To resume, a new optimizer learns the
-//! stored rows and continues with the same bits. Rows are numbered through all
-//! generations. The rows of a generation share random numbers and are committed
-//! together.
+//! Proposes candidates row by row. A candidate depends only on the settings,
+//! the seed and the evaluated rows 0 to needs() - 1; other rows and their order
+//! of arrival have no effect. Random numbers are a function of (seed, purpose,
+//! generation, slot). After a restart, a new optimizer learns the stored rows
+//! and continues with bit-identical proposals. Row numbers continue through all
+//! generations. The rows of a generation use common random numbers and are
+//! committed together.
 class Optimizer {
   public:
     virtual ~Optimizer() = default;
 
-    //! Returns the number of rows of a generation, once its first row can be
-    //! proposed; never 0.
+    //! Returns the number of rows of a generation, never 0. Call it once the
+    //! first row of the generation can be proposed.
     virtual std::size_t size(std::uint32_t generation) const = 0;
 
-    //! Returns the number of rows that must be known before a generation can be
-    //! proposed; the largest number while that is unknown.
+    //! Returns the number of rows that must be learnt before a generation can
+    //! be proposed, or the largest number while this is unknown.
     virtual std::uint64_t needs(std::uint32_t generation) const = 0;
 
     //! Returns the candidate of a slot; calls must follow the order of rows.
@@ -43,7 +44,7 @@ class Optimizer {
     virtual void learn(Individual row) = 0;
 
     //! Returns the candidates for the final evaluations, best first. Call it
-    //! only when whole generations have been learnt.
+    //! only after complete generations.
     virtual std::vector<Candidate> best(std::size_t count) const = 0;
 };
 
@@ -53,7 +54,8 @@ class GenerationalOptimizer : public Optimizer {
     //! Returns the number of candidates of the next generation, which may vary.
     virtual std::size_t next_size() const = 0;
 
-    //! Returns a candidate of the next generation, constant until tell().
+    //! Returns a candidate of the next generation. It does not change before
+    //! tell().
     virtual Candidate candidate(std::uint32_t slot) = 0;
 
     //! Returns all candidates of the next generation, by slot.
@@ -68,7 +70,7 @@ class GenerationalOptimizer : public Optimizer {
     void learn(Individual row) override;
 
   protected:
-    //! Learns from the next generation.
+    //! Learns from the evaluated next generation.
     virtual void take(Population evaluated) = 0;
 
     //! Returns the number of the next generation.
@@ -80,7 +82,7 @@ class GenerationalOptimizer : public Optimizer {
     std::uint32_t generation_ = 0;
     std::int64_t parents_row_ = 0;
     std::int64_t row_ = 0;  //!< first row of the next generation
-    Population learnt_;     //!< known rows of the next generation
+    Population learnt_;     //!< rows learnt of the next generation
 };
 
 //! Returns the baseline with free genes uniform within their bounds.

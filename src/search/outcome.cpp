@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns why one of several estimates is unusable, or "".
+//! Returns the reason why one of several estimates is unusable, or "".
 std::string find_defect(const std::string& name,
                         std::span<const Estimate> values) {
     for (const auto& [mean, standard_error] : values) {

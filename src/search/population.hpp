@@ -12,16 +12,17 @@
 
 namespace ideotype {
 
-//! A plant as numbers, one for each gene of a GeneSpace, in the gene's unit.
+//! The numbers that define a plant: one for each gene of a GeneSpace, in the
+//! gene's unit.
 using Genome = std::vector<double>;
 
-//! A trait value of a plant that may be bred, and its range.
+//! A trait value that the search may vary, and its range.
 struct Gene {
     std::string name;  //!< name, for example "leaf03_length"
     std::string unit;  //!< unit, "m" or "deg"
     double lower = 0;
     double upper = 0;
-    bool is_circular = false;  //!< whether lower and upper coincide
+    bool is_circular = false;  //!< whether upper means the same as lower
     bool is_free = true;       //!< otherwise the gene keeps the baseline value
     std::string trait{};       //!< trait, for example "length"
     int leaf = 0;  //!< rank from the lowest, 1; 0 for the whole plant
@@ -45,7 +46,7 @@ double difference(const Gene& gene, double a, double b);
 
 //! Distance from a bound, relative to the range of a gene, within which a value
 //! counts as at the bound. Searches by CMA-ES approach a bound smoothly within
-//! this distance, so a gene that is pushed beyond its range ends there.
+//! this distance; here they end if a gene is pushed beyond its range.
 inline constexpr double bound_margin = 0.05;
 
 enum class Bound { lower, upper };
@@ -53,14 +54,14 @@ enum class Bound { lower, upper };
 //! Returns the name of a bound, for example "lower".
 const char* name_of(Bound bound);
 
-//! Finds the bound at which a value is, if any. Genes that are circular, not
-//! free or without range have no bounds.
+//! Returns the bound that a value has reached, if any. Genes that are circular,
+//! not free or without range have no bounds.
 std::optional<Bound> find_bound(const Gene& gene, double value);
 
-//! The row number that means no parent, in the first generation.
+//! The row number that means "no parent", as in the first generation.
 inline constexpr std::int64_t no_parent = -1;
 
-//! The way in which a genome was made. The values are part of the file format.
+//! How a genome was made. The values are stored in files.
 enum class Origin : std::uint8_t {
     none = 0,
     baseline = 1,
@@ -73,7 +74,7 @@ enum class Origin : std::uint8_t {
 //! Returns the name of an origin, for example "baseline".
 const char* name_of(Origin origin);
 
-//! A genome and its descent.
+//! A genome and its parents.
 struct Candidate {
     Genome genome;
     Origin origin = Origin::none;
@@ -89,7 +90,8 @@ struct Individual {
     Status status = Status::failed;
     std::vector<Estimate> objectives;  //!< objectives, which may be negative
     double violation = 0;  //!< violation of constraints; 0 if all are met
-    //! Each objective by randomisation [objective, randomisation], if known.
+    //! Values of each objective by randomisation [objective, randomisation], if
+    //! known.
     std::vector<double> randomisations{};
     std::vector<double> features{};  //!< features by axis of an atlas
 };

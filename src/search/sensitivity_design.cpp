@@ -65,14 +65,14 @@ std::vector<double> SensitivityDesign::make_path_point(std::uint32_t sample,
         for (const std::size_t gene : factors_[order[i]].genes)
             point[gene] += steps[gene];
     for (const std::size_t gene : free_)
-        // Both ends of a circular gene coincide.
+        // The two ends of a circular gene are the same value.
         point[gene] /=
             settings_.levels - (space_.genes[gene].is_circular ? 0 : 1);
     return point;
 }
 
-//! Returns point A, A with one factor from point B, or B (Saltelli et al.
-//! 2010).
+//! Returns point A, point A with one factor taken from point B, or point B
+//! (Saltelli et al. 2010).
 std::vector<double> SensitivityDesign::make_cube_point(std::uint32_t sample,
                                                        std::size_t row) const {
     std::vector<double> point(space_.genes.size());

@@ -18,16 +18,16 @@ struct Factor {
     std::vector<std::size_t> genes;  //!< indices of the factor's free genes
 };
 
-//! The rows of a sensitivity study, which are fixed before any evaluation:
-//! samples with equal numbers of rows, all genes uniform within their bounds.
-//! For Sobol' indices a sample has two points A and B of a scrambled Sobol'
-//! sequence and, in between, A with one factor at a time from B (Saltelli et
-//! al. 2010, doi:10.1016/j.cpc.2009.09.018). By Morris (1991,
-//! doi:10.1080/00401706.1991.10484804) it is a path on a grid on which each
-//! factor makes one step, in random order. The genes of a factor change
-//! together (Campolongo et al. 2007, doi:10.1016/j.envsoft.2006.10.004). The
-//! design replaces an optimizer: it proposes its rows sample after sample, and
-//! does not learn.
+//! The rows of a sensitivity study. They are fixed before any evaluation, and
+//! consist of samples with equal numbers of rows; all genes are uniform within
+//! their bounds. For Sobol' indices, a sample consists of two points A and B of
+//! a scrambled Sobol' sequence and, between them, A with one factor at a time
+//! taken from B (Saltelli et al. 2010, doi:10.1016/j.cpc.2009.09.018). For the
+//! method of Morris (1991, doi:10.1080/00401706.1991.10484804), it is a path on
+//! a grid; each factor makes one step, in random order. The genes of a factor
+//! change together (Campolongo et al. 2007, doi:10.1016/j.envsoft.2006.10.004).
+//! The design replaces an optimizer: it proposes its rows sample after sample,
+//! and does not learn.
 class SensitivityDesign : public Optimizer {
   public:
     SensitivityDesign(const SensitivitySettings& settings, SearchSpace space,
@@ -42,8 +42,8 @@ class SensitivityDesign : public Optimizer {
         return factors_.size() + (is_morris ? 1 : 2);
     }
 
-    //! Makes the genome of a row of a sample.
-    //! @param number number of the row in the sample, below rows_per_sample()
+    //! Makes the genome of one row of a sample.
+    //! @param number index of the row in the sample, below rows_per_sample()
     Genome make_row(std::uint32_t sample, std::size_t number) const;
 
     std::size_t size(std::uint32_t generation) const override;
@@ -64,14 +64,14 @@ class SensitivityDesign : public Optimizer {
     SearchSpace space_;
     std::uint64_t seed_;
     std::vector<Factor> factors_;
-    std::vector<std::size_t> free_;  //!< indices of free genes
+    std::vector<std::size_t> free_;  //!< indices of the free genes
     SobolSequence sequence_;
 };
 
 //! The number of samples stored as one generation of a history.
 inline constexpr int samples_per_generation = 16;
 
-//! Returns the number of rows of a generation of a sensitivity study.
+//! Returns the number of rows per generation of a sensitivity study.
 int generation_size(const SensitivitySettings& settings,
                     const GeneSpace& genes);
 int count_generations(const SensitivitySettings& settings);

@@ -27,8 +27,8 @@ inline constexpr std::array enum_names<OptimizerKind>{
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
-    int elites = 2;      //!< parents that are kept and re-evaluated
-    int tournament = 2;  //!< contestants per selected parent
+    int elites = 2;                      //!< best parents that are re-evaluated
+    int tournament = 2;                  //!< contestants per selected parent
     double crossover_probability = 0.9;  //!< probability per couple
     //! The distribution index of simulated binary crossover.
     double crossover_index = 15;
@@ -37,11 +37,11 @@ struct GaSettings {
 };
 
 enum class SensitivityMethod {
-    sobol,  //!< indices of variance
+    sobol,  //!< variance-based indices
     morris  //!< elementary effects
 };
 
-//! The grouping of genes into factors of a sensitivity study.
+//! How genes are grouped into factors of a sensitivity study.
 enum class Grouping {
     trait,  //!< all free genes of a trait together
     gene,
@@ -50,37 +50,38 @@ enum class Grouping {
 //! The settings of a sensitivity study, which determine its rows.
 struct SensitivitySettings {
     SensitivityMethod method = SensitivityMethod::sobol;
-    int samples = 1024;  //!< base samples, or trajectories of Morris
-    int levels = 4;      //!< values of each factor by Morris
+    int samples = 1024;  //!< base samples, or trajectories (Morris)
+    int levels = 4;      //!< number of values of each factor (Morris)
     Grouping groups = Grouping::trait;
 };
 
-//! A feature of plants that an atlas divides into cells of equal width.
+//! A feature by which an atlas divides plants into cells of equal width.
 struct AtlasAxis {
     std::string quantity;  //!< name of the quantity, for example "lai"
     Range range{0, 1};
     int cells = 10;
 };
 
-//! Returns the number of cells of a grid over some axes.
+//! Returns the number of cells of the grid that the axes form.
 std::size_t count_cells(const std::vector<AtlasAxis>& axes);
 
 //! The settings of the search of a case.
 struct SearchSettings {
     OptimizerKind optimizer = OptimizerKind::automatic;
-    int population = 100;  //!< usual number of candidates of a generation
+    int population = 100;  //!< usual number of plants per generation
     int streams = 1;       //!< independent searches that take turns
     GaSettings ga;
-    std::vector<double> start;      //!< first genome of CMA-ES; empty: baseline
+    std::vector<double> start;      //!< start of CMA-ES; empty: baseline
     std::vector<AtlasAxis> axes{};  //!< axes of an atlas
-    //! A sensitivity study, which proposes the rows instead of an optimizer.
+    //! Settings of a sensitivity study, which proposes the rows instead of an
+    //! optimizer.
     std::optional<SensitivitySettings> design{};
-    //! Reference point of the hypervolume, by objective; empty: the worst
-    //! values of the first generation.
+    //! Reference point of the hypervolume, one value per objective. If empty,
+    //! it consists of the worst values of the first generation.
     std::vector<double> reference{};
 };
 
-//! The size of the first generation of `auto`, in populations.
+//! The number of rows in the first generation of `auto`, in populations.
 inline constexpr int auto_design = 3;
 
 //! Returns the number of candidates in the first generation of a search.
@@ -90,7 +91,7 @@ inline int first_generation(const SearchSettings& settings) {
     return (is_auto ? auto_design : 1) * settings.population;
 }
 
-//! Returns the default number of plants in a generation of an optimizer.
+//! Returns the default number of plants per generation of an optimizer.
 int usual_population(OptimizerKind optimizer, std::size_t free_genes);
 
 //! Returns whether an optimizer uses CMA-ES.

@@ -25,7 +25,7 @@ std::size_t count_shared_randomisations(const Rows& rows) {
     return is_shared ? first : 0;
 }
 
-//! Returns the mean square of standard errors of objective 0.
+//! Returns the mean of the squared standard errors of objective 0.
 double error_variance(const Rows& rows) {
     double sum = 0;
     for (const Individual* row : rows)
@@ -34,8 +34,8 @@ double error_variance(const Rows& rows) {
     return sum / static_cast<double>(rows.size());
 }
 
-//! Estimates the noise variance of one row, without the noise that rows share:
-//! a two-way analysis of variance of rows and randomisations.
+//! Estimates the noise variance of one row, without the noise that all rows
+//! share, by a two-way analysis of variance over rows and randomisations.
 double estimate_noise(const Rows& rows) {
     const std::size_t count = count_shared_randomisations(rows);
     if (count < 2) return error_variance(rows);
@@ -55,7 +55,8 @@ double estimate_noise(const Rows& rows) {
             squares += residual * residual;
         }
     }
-    // (n - 1) (draws - 1) degrees of freedom; a row is a mean of draws.
+    // There are (n - 1) (draws - 1) degrees of freedom, and each row is a mean
+    // of `draws` values.
     return squares / ((n - 1) * (draws - 1) * draws);
 }
 
@@ -80,8 +81,8 @@ Estimate shrink(const Population& population, std::size_t chosen) {
     const double spread = squares / (n - 1), noise = estimate_noise(rows);
     const double shared = std::max(0., error_variance(rows) - noise);
     if (noise <= 0) return given;
-    // With too few rows, noise and differences between plants cannot be
-    // separated.
+    // With too few rows, noise cannot be separated from differences between
+    // plants.
     if (n < 4) return {mean, std::sqrt(spread + shared)};
     const double deviation = given.mean - mean;
     const double factor =

@@ -12,9 +12,10 @@
 namespace ideotype {
 
 //! Low-discrepancy points of a unit cube: the Sobol' sequence with Owen's
-//! nested scrambling. Any 2^m points that begin at a multiple of 2^m are a
-//! digital net. Coordinates beyond sobol_dimensions are independent random
-//! numbers. Each coordinate is a pure function of (seed, point, dimension).
+//! nested scrambling. Any 2^m points form a digital net if the index of the
+//! first is a multiple of 2^m. Coordinates beyond sobol_dimensions are
+//! independent random numbers. Each coordinate is a pure function of (seed,
+//! point, dimension).
 class SobolSequence {
   public:
     SobolSequence(std::uint64_t seed, std::size_t dimensions) : seed_(seed) {

@@ -13,8 +13,9 @@ namespace {
 
 constexpr double certain = 2;  //!< standard errors
 
-//! Returns whether there is no significant rise: neither in a regression line
-//! through the last means nor, with several objectives, in the hypervolume.
+//! Returns whether there is no significant rise, neither in a regression line
+//! through the last means nor in the hypervolume, if there are several
+//! objectives.
 bool gains_nothing(const std::vector<GenerationSummary>& summaries,
                    int generations, Sense sense) {
     IDEOTYPE_EXPECT(generations > 2);
@@ -28,8 +29,8 @@ bool gains_nothing(const std::vector<GenerationSummary>& summaries,
     if (!std::isnan(now.hypervolume))
         return now.hypervolume - last.front().hypervolume <=
                certain * now.hypervolume_standard_error;
-    // Least-squares slope of the means, and its standard error from the
-    // scatter.
+    // Fit a line to the means by least squares. The standard error of its slope
+    // follows from the scatter of the means.
     const double n = generations;
     double mean = 0;
     for (const GenerationSummary& summary : last) mean += summary.mean / n;

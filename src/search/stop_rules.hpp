@@ -17,25 +17,24 @@ struct StopRules {
     double wall_time = 0;       //!< wall time over all sessions [s]
 };
 
-//! The part of a history that stop rules need, after some committed
-//! generations.
+//! The values that stop rules need from the committed generations of a history.
 struct Progress {
     std::vector<GenerationSummary> generations;
     double wall_time = 0;  //!< wall time [s]
 };
 
-//! Name of the rule that ends a case after its generations.
+//! Name of the rule that ends a case after a number of generations.
 inline constexpr const char* all_generations = "generations";
 
 //! Returns the name of the first rule that ends the evolution, if any:
-//! "generations", "no_gain", "evaluations" or "wall_time". There is no gain if
-//! the slope of a least-squares line through the means of objective 0 over
-//! `no_gain` generations is less than twice its standard error. The standard
-//! error follows from the scatter about the line, which includes the noise of
-//! each generation's new random numbers. While no plant meets all constraints
-//! the rule waits. With several objectives the rule uses the hypervolume, whose
-//! gain must exceed twice its standard error.
-//! @param sense sense of objective 0
+//! "generations", "no_gain", "evaluations" or "wall_time". Rule "no_gain" fits
+//! a least-squares line to the means of objective 0 over `no_gain` generations.
+//! It applies if the slope is less than twice its standard error, which follows
+//! from the scatter about the line and so includes the noise between
+//! generations. The rule waits while no plant meets all constraints. With
+//! several objectives it uses the hypervolume, which must gain more than twice
+//! its standard error.
+//! @param sense whether objective 0 is maximised or minimised
 std::optional<std::string> finished(const StopRules& rules,
                                     const Progress& progress, Sense sense);
 

@@ -22,8 +22,8 @@ double standard_deviation(const std::vector<double>& values, double mean) {
     return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-//! Returns the standard deviation of a gene relative to its range; for a
-//! circular gene, that of the arcs to the mean direction.
+//! Returns the standard deviation of a gene relative to its range. For a
+//! circular gene, deviations are arcs from the mean direction.
 double relative_spread(const Gene& gene, std::vector<double> values) {
     const double range = gene.upper - gene.lower;
     if (gene.is_circular) {
@@ -43,9 +43,9 @@ double relative_spread(const Gene& gene, std::vector<double> values) {
 using Point = std::vector<double>;
 
 //! Returns the volume between points and a reference above all of them, in the
-//! first coordinates. Points are sorted by the last of these coordinates; the
-//! slice between two points is the volume of the points below, in one dimension
-//! less.
+//! first coordinates. Points are sorted by the last of these coordinates. The
+//! slice between two consecutive points is as thick as their distance; its base
+//! is the volume of the points below, in one dimension less.
 double sum_slices(std::vector<Point> points, const Point& reference,
                   std::size_t coordinates) {
     IDEOTYPE_EXPECT(!points.empty() && coordinates > 0);
@@ -96,14 +96,15 @@ GenerationSummary summarize(const Population& population,
         summary.expected_best = {none, none};
         return summary;
     }
-    // The best row, and its value without selection bias.
+    // The best row, and an estimate of its value without selection bias.
     summary.best_slot = best_distinct(population, 1, {sense}).front();
     const Individual& best = population[summary.best_slot];
     summary.best = best.objectives.front().mean;
     summary.best_standard_error = best.objectives.front().standard_error;
     summary.violation = best.violation;
     summary.expected_best = shrink(population, summary.best_slot);
-    // Mean and spread of the plants that are compared with the best row.
+    // Mean and standard deviation of the plants with which the best row is
+    // compared.
     std::vector<double> values;
     for (const Individual* individual : succeeded)
         if (best.violation > 0 || individual->violation == 0)
@@ -147,7 +148,7 @@ double hypervolume(std::vector<Point> points, Point reference,
 Estimate hypervolume(const Population& population, const Point& reference,
                      const std::vector<Sense>& senses) {
     const std::size_t objectives = senses.size();
-    // Computes the volume with all randomisations, or without one of them.
+    // Computes the volume from all randomisations, or from all but one.
     const auto volume = [&](std::size_t left_out, std::size_t count) {
         std::vector<Point> points;
         for (const Individual& individual : population) {
@@ -172,7 +173,7 @@ Estimate hypervolume(const Population& population, const Point& reference,
             count = individual.randomisations.size() / objectives;
     const double whole = volume(0, 0);
     if (count < 2) return {whole, std::numeric_limits<double>::quiet_NaN()};
-    // Jackknife over randomisations.
+    // Use the jackknife over randomisations.
     std::vector<double> pseudo;
     const auto n = static_cast<double>(count);
     for (std::size_t r = 0; r < count; ++r)

@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-//! The stored statistics of an evaluated generation.
+//! Statistics of an evaluated generation, most of which are stored.
 struct GenerationSummary {
     std::uint32_t best_slot = 0;
     double best = 0;                 //!< objective 0 of the best row
@@ -19,40 +19,42 @@ struct GenerationSummary {
     double mean = 0;
     //! Standard deviation of objective 0 over the same individuals.
     double spread = 0;
-    //! Mean over free genes of the standard deviation relative to the range,
-    //! circular for circular genes; 0.29 for uniform values.
+    //! Standard deviation of a gene relative to its range, averaged over free
+    //! genes; circular genes use circular statistics. It is 0.29 for uniform
+    //! values.
     double diversity = 0;
     std::uint32_t failures = 0;
     std::uint32_t evaluations = 0;  //!< number of distinct genomes
     double wall_time = 0;  //!< time since the case began, over all sessions [s]
-    //! Violation of the best row; a history stores it by row.
+    //! Violation of the best row. A history stores violations by row, not here.
     double violation = 0;
-    //! Expected objective 0 of the best row without selection bias, by
-    //! shrink(); it is not stored.
+    //! Expected objective 0 of the best row without selection bias, see
+    //! shrink(). It is not stored.
     Estimate expected_best{};
     //! Hypervolume of all rows so far; NaN with a single objective.
     double hypervolume = std::numeric_limits<double>::quiet_NaN();
     double hypervolume_standard_error = hypervolume;
 };
 
-//! Summarizes a population, without wall_time and hypervolume; statistics are
-//! NaN if every individual failed.
-//! @param sense sense of objective 0
+//! Summarizes a population, except for wall_time and hypervolume. Statistics
+//! are NaN if every individual failed.
+//! @param sense whether objective 0 is maximised or minimised
 GenerationSummary summarize(const Population& population,
                             const GeneSpace& genes, Sense sense);
 
 //! Returns the hypervolume: the volume between a reference and the points that
 //! are better than it in every objective (Zitzler and Thiele 1998,
-//! doi:10.1007/BFb0056872), in the product of the objectives' units. It is
-//! exact, by slicing, and meant for fronts of some hundred points.
+//! doi:10.1007/BFb0056872). Its unit is the product of the objectives' units.
+//! It is computed exactly, by slicing, which is practical for fronts of some
+//! hundred points.
 //! @param points values [point, objective]
 double hypervolume(std::vector<std::vector<double>> points,
                    std::vector<double> reference,
                    const std::vector<Sense>& senses);
 
-//! Returns the hypervolume of the individuals that meet all constraints; 0 if
-//! none does. The standard error is a jackknife over shared randomisations; it
-//! ignores the selection of the front.
+//! Returns the hypervolume of the individuals that meet all constraints, or 0
+//! if there are none. The standard error is a jackknife estimate over shared
+//! randomisations; it does not include the selection of the front.
 Estimate hypervolume(const Population& population,
                      const std::vector<double>& reference,
                      const std::vector<Sense>& senses);
@@ -62,12 +64,13 @@ Estimate hypervolume(const Population& population,
 std::vector<double> find_worst(const Population& population,
                                const std::vector<Sense>& senses);
 
-//! Summarizes the generations of a case in order, with the hypervolume of all
-//! rows so far for several objectives.
+//! Summarizes the generations of a case in order. With several objectives, also
+//! computes the hypervolume of all rows so far.
 class Summarizer {
   public:
-    //! @param reference reference point of the hypervolume; if empty,
-    //! find_worst() of the first generation that did not fail entirely
+    //! @param reference reference point of the hypervolume. If it is empty,
+    //! find_worst() sets it from the first generation in which any individual
+    //! succeeded.
     Summarizer(GeneSpace genes, std::vector<Sense> senses,
                std::vector<double> reference);
 

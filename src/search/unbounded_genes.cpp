@@ -11,13 +11,13 @@ namespace ideotype {
 
 namespace {
 
-//! Width of the parabola at a bound, relative to the range.
+//! Width of the parabolic part at a bound, relative to the range.
 constexpr double margin = bound_margin;
 
-//! Maps a coordinate to a share of the range: linear, with parabolas near the
-//! bounds that join with equal slope.
+//! Maps a coordinate to a share of the range. The map is linear in the middle,
+//! and parabolic near the bounds, where the parts join with equal slopes.
 double fold(double coordinate) {
-    // The map is periodic: once up and down the range.
+    // The map is periodic: each period runs up and down the range once.
     constexpr double period = 2 * (1 + 2 * margin);
     double x = std::remainder(coordinate + margin, period);
     x = std::abs(x) - margin;  // within [-margin, 1 + margin]

@@ -33,8 +33,8 @@ VectorXd draw_normal(RandomStream stream, std::size_t size) {
     return x;
 }
 
-//! Averages objective 0 over the better half of some rows; returns the worst
-//! possible value if none of them succeeded and meets all constraints.
+//! Returns the mean of objective 0 over the better half of some rows, or the
+//! worst possible value if no row succeeded and meets all constraints.
 double average_better_half(const Population& rows,
                            const std::vector<Sense>& senses) {
     IDEOTYPE_EXPECT(!rows.empty());
@@ -105,8 +105,8 @@ void Arm::learn(const Population& rows, const std::vector<Sense>& senses,
 bool Arm::gains_nothing(Sense sense) const {
     constexpr std::size_t window = 20;
     if (course_.size() < 2 * window) return false;
-    // Compare two windows of generations, with the standard error of the
-    // difference.
+    // Compare the means of two windows of generations, using the standard error
+    // of their difference.
     const auto recent = std::span(course_).last(2 * window);
     const auto before = recent.first(window), last = recent.last(window);
     const double mean_last = average(last);

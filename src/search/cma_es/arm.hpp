@@ -19,21 +19,22 @@ class Arm {
 
     std::size_t population() const { return population_; }
     const DdCma& distribution() const { return distribution_; }
-    //! Returns the mean of the better half of each generation.
+    //! Returns the mean of objective 0 over the better half, for each
+    //! generation.
     const std::vector<double>& course() const { return course_; }
 
-    //! Returns the point of one of the arm's plants in a generation, which is
-    //! drawn at its first use.
+    //! Returns the point of one of the arm's plants in a generation. The points
+    //! of a generation are drawn when the first of them is used.
     //! @param slot slot of the arm's first plant in the generation
     //! @param plant index of the plant in the arm
     const Eigen::VectorXd& point(std::uint64_t seed, std::uint32_t generation,
                                  std::uint32_t slot, std::size_t plant);
 
-    //! Doubles the number of plants, and restarts the record of the course.
+    //! Doubles the number of plants, and discards the recorded means.
     void grow();
 
-    //! Updates the distribution with the evaluated plants of the arm; arguments
-    //! as in point().
+    //! Updates the distribution with the evaluated plants of the arm. The
+    //! arguments are the same as in point().
     void learn(const Population& rows, const std::vector<Sense>& senses,
                std::uint64_t seed, std::uint32_t generation,
                std::uint32_t slot);
@@ -41,14 +42,15 @@ class Arm {
     //! Returns the largest standard deviation of the distribution.
     double extent() const { return distribution_.deviations().maxCoeff(); }
 
-    //! Returns whether the mean of the last generations exceeds that of as many
-    //! generations before by at most the standard error of the difference.
+    //! Compares the mean of the last generations with the mean of as many
+    //! generations before them. Returns whether the gain is at most the
+    //! standard error of the difference.
     bool gains_nothing(Sense sense) const;
 
   private:
     std::size_t population_;
     DdCma distribution_;
-    std::vector<Eigen::VectorXd> points_;  //!< drawn for the next generation
+    std::vector<Eigen::VectorXd> points_;  //!< points of the next generation
     std::vector<double> course_;
 };
 

@@ -14,15 +14,15 @@ namespace ideotype {
 
 namespace {
 
-//! Cycles of searches by dd-CMA-ES. A cycle begins with a design of three
-//! parts: the champion, which is the baseline at first; mixtures, which have
-//! each trait of the champion with probability one half; and plants uniform
-//! within the bounds. One arm starts at the best mixture, another at the best
-//! uniform plant. They race for some generations, each with half of the plants;
-//! then the arm with the better results continues alone. When it no longer
-//! gains, its number of plants is doubled, up to eight times, since noise may
-//! hide gains. The next cycle has 1.5 times the plants, and the end of this
-//! cycle as its champion.
+//! Repeats cycles of searches by dd-CMA-ES. A cycle begins with a design of
+//! three parts: the champion, which is the baseline at first; mixtures, which
+//! take each trait from the champion with probability one half; and plants
+//! uniform within the bounds. One arm starts from the best mixture, another
+//! from the best uniform plant. They race for some generations, each with half
+//! of the plants; then the arm with the better results continues alone. When it
+//! no longer gains, its number of plants is doubled, up to eight times the
+//! initial number, since noise may hide gains. The next cycle uses 1.5 times as
+//! many plants; its champion is the plant at which this cycle ends.
 class AutoSearch : public GenerationalOptimizer {
   public:
     AutoSearch(const SearchSettings& settings, SearchSpace space,
@@ -55,8 +55,9 @@ class AutoSearch : public GenerationalOptimizer {
             space_.baseline);
     }
 
-    //! Returns the plants at the means of arms and of earlier cycles, better
-    //! results first, then the best of the last generation.
+    //! Returns the mean plants of the running arms and of earlier cycles,
+    //! better results first, followed by the best plants of the last
+    //! generation.
     std::vector<Candidate> best(std::size_t count) const override {
         std::vector<Champion> means = champions_;
         for (const Arm& arm : arms_)
@@ -77,7 +78,8 @@ class AutoSearch : public GenerationalOptimizer {
     }
 
   private:
-    //! The plant at the mean of a search, with the mean of its last generation.
+    //! The plant at the mean of a distribution, with the result of the last
+    //! generation drawn from it.
     struct Champion {
         Genome genome;
         double value = 0;
@@ -89,14 +91,15 @@ class AutoSearch : public GenerationalOptimizer {
                 arm.course().back()};
     }
 
-    //! Largest standard deviations, relative to the range of a gene: below the
-    //! first the values no longer change, below the second no gain means
-    //! convergence.
+    //! Largest standard deviations, relative to the range of a gene. Below
+    //! `tiny` the values no longer change; below `narrow` an arm that gains
+    //! nothing has converged.
     static constexpr double tiny = 1e-11, narrow = 1e-6;
-    //! Largest factor by which the population of an arm grows.
+    //! Largest factor by which the population of an arm may grow.
     static constexpr std::size_t most_growth = 8;
 
-    //! Returns the number of rows of the design; its first half are mixtures.
+    //! Returns the number of rows of the design. The champion and the
+    //! mixtures are its first half.
     std::size_t design_size() const { return auto_design * population_; }
     std::size_t last_mixture() const { return design_size() / 2; }
 
@@ -144,7 +147,7 @@ class AutoSearch : public GenerationalOptimizer {
     }
 
     void learn_race(const Population& rows) {
-        // The rows of the arms follow each other.
+        // Rows are stored arm after arm.
         auto first = rows.begin();
         for (Arm& arm : arms_) {
             const auto last =
@@ -174,7 +177,7 @@ class AutoSearch : public GenerationalOptimizer {
                 arm.population() < most_growth * population_ / 2)
                 return arm.grow();
         }
-        // The cycle ends at the mean of the arm.
+        // The cycle ends. The mean of the arm is the next champion.
         champions_.push_back(make_champion(arm));
         champion_ = champions_.back().genome;
         arms_.clear();
@@ -185,10 +188,10 @@ class AutoSearch : public GenerationalOptimizer {
     SearchSpace space_;
     UnboundedGenes coordinates_;
     std::uint64_t seed_;
-    std::size_t population_;  //!< plants of a generation of two arms
+    std::size_t population_;  //!< plants per generation of two arms
     Genome champion_;
-    std::vector<Champion> champions_;  //!< means of earlier cycles
-    std::vector<Arm> arms_;  //!< running searches; none: a design is next
+    std::vector<Champion> champions_;  //!< champions of earlier cycles
+    std::vector<Arm> arms_;  //!< running searches; if none, a design is next
     Population last_;
 };
 

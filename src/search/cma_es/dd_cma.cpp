@@ -148,7 +148,7 @@ void DdCma::update(const MatrixXd& ranked) {
     IDEOTYPE_EXPECT(ranked.cols() == correlation_rates_.weights.size());
     IDEOTYPE_EXPECT(ranked.allFinite());
     const auto n = static_cast<double>(mean_.size());
-    // Equation (6): columns would be standard normal without selection.
+    // Equation (6). Without selection, the columns would be standard normal.
     const MatrixXd white = inverse_root_ *
                            (scales_ * step_size_).cwiseInverse().asDiagonal() *
                            (ranked.colwise() - mean_);
@@ -220,8 +220,8 @@ void DdCma::update(const MatrixXd& ranked) {
     decompose();
 }
 
-//! Normalises C to a correlation matrix by moving its variances to the scales,
-//! and computes its square roots.
+//! Makes the diagonal of C equal to 1 by moving its variances into the scales
+//! D, and computes the square roots of C.
 void DdCma::decompose() {
     const VectorXd deviations = correlation_.diagonal().cwiseSqrt();
     scales_.array() *= deviations.array();
@@ -231,7 +231,7 @@ void DdCma::decompose() {
                     inverse.asDiagonal())
                        .eval();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(correlation_);
-    // Rounding may leave an axis without extent.
+    // Rounding may reduce the length of an axis to zero.
     constexpr double smallest = 1e-14;
     const VectorXd values = solver.eigenvalues().cwiseMax(smallest);
     const MatrixXd& axes = solver.eigenvectors();

@@ -11,8 +11,8 @@ namespace ideotype {
 //! The multivariate normal distribution of dd-CMA-ES (Akimoto and Hansen 2019,
 //! doi:10.1162/evco_a_00260). Its covariance is step_size^2 D C D, with D
 //! diagonal and C a correlation matrix. D has separate learning rates, so it
-//! adapts to the scales of coordinates long before C is known. The step size
-//! follows from cumulative step-size adaptation; points worse than the median
+//! adapts to the scales of coordinates long before C is known. The step size is
+//! controlled by cumulative step-size adaptation. Points worse than the median
 //! have negative weights.
 class DdCma {
   public:
@@ -23,7 +23,7 @@ class DdCma {
     DdCma(Eigen::VectorXd mean, Eigen::VectorXd deviations,
           std::size_t population);
 
-    //! Returns the point of the distribution for a standard normal vector.
+    //! Transforms a standard normal vector to a point of the distribution.
     Eigen::VectorXd sample(const Eigen::VectorXd& normal) const;
 
     //! Sets the number of points in the next generations, >= 4.
@@ -40,7 +40,7 @@ class DdCma {
     const Eigen::MatrixXd& correlation() const { return correlation_; }
 
   private:
-    //! The learning rates and weights of D or of C.
+    //! The learning rates and weights for updates of D or C.
     struct Rates {
         double rank_one = 0, rank_mu = 0, path = 0;
         Eigen::VectorXd weights{};
@@ -48,7 +48,8 @@ class DdCma {
     static Rates compute_rates(double n, double degrees_of_freedom,
                                const std::vector<double>& raw_weights);
 
-    //! An evolution path, and the share of its stationary variance reached.
+    //! An evolution path, and the fraction of its stationary variance that it
+    //! has reached.
     struct Path {
         Eigen::VectorXd steps;
         double share = 0;

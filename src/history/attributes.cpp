@@ -21,8 +21,8 @@ Handle make_enumeration(
     return type;
 }
 
-// Adds a dataset to a list. No exception may pass through C; only a lack of
-// memory could throw here.
+// Adds the name of a dataset to a list. No exception may pass through C code,
+// but only a lack of memory could cause one here.
 herr_t keep_dataset(hid_t, const char* name, const H5O_info_t* info,
                     void* target) {
     if (info->type == H5O_TYPE_DATASET)

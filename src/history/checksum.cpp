@@ -31,8 +31,7 @@ void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
 
 }  // namespace
 
-//! The datasets of a table in the order of their names, without dimension
-//! scales.
+//! The datasets of a table, sorted by name and without dimension scales.
 class HashedTable {
   public:
     HashedTable(hid_t file, const std::string& name,
@@ -84,8 +83,8 @@ std::string header_checksum(hid_t file) {
         const std::string group = path.substr(0, path.find('/'));
         const bool is_description =
             contains({"campaign", "genes", "objectives"}, group);
-        // Studies of version 0.2.0 store the indices as attributes, not as a
-        // table.
+        // Version 0.2.0 stores the indices of a sensitivity study as
+        // attributes, not as a table.
         const bool is_table =
             contains({"evaluations", "final", "sensitivity"}, group);
         if (is_description || (is_table && data.is_scale()))
@@ -137,8 +136,8 @@ void require_intact(GenerationChecksums& checksums,
 
 void require_intact(hid_t file, const std::string& path) {
     require_header_intact(file, path);
-    // Read the end of the case first, because a running case may end before the
-    // last read.
+    // Read whether the case has ended before reading the rows, because a
+    // running case may end in between.
     const bool is_finished = Journal(file).finished().has_value();
     const Generations generations(file);
     GenerationChecksums checksums(file, nullptr);
@@ -150,7 +149,7 @@ void require_intact(hid_t file, const std::string& path) {
     const auto statuses = status.read<Status>(0, status.rows());
     const auto expected = checksum.read_text(0, status.rows());
     IDEOTYPE_ENSURE(expected.size() == statuses.size());
-    // A finished case has no checksums except of recorded rows.
+    // In a finished case, only recorded rows have checksums.
     if (is_finished && committed < generations.capacity() &&
         !generations.checksum(committed).empty())
         refuse(path, fmt::format("the mark of generation {}", committed));

@@ -11,20 +11,20 @@
 
 namespace ideotype {
 
-// The parts of each checksum are listed in analysis/FORMAT.md.
+// analysis/FORMAT.md lists the data that enter each checksum.
 
-//! Length of a checksum in characters.
+//! Length of a checksum in hexadecimal digits.
 inline constexpr std::size_t checksum_size = 64;
 
 //! Computes the SHA-256 of all data known before the first evaluation.
 std::string header_checksum(hid_t file);
 
-//! Computes the SHA-256 of the rows and the summary of generations. The first
-//! generation takes longest, because it opens all datasets.
+//! Computes SHA-256 checksums of generations, each over its rows and its
+//! summary. The first checksum takes longest, because it opens all datasets.
 class GenerationChecksums {
   public:
-    //! Opens the datasets; file and mapping must outlive this object.
-    //! @param mapping mapping of the file; null: HDF5 reads the file
+    //! Opens the datasets. The file and the mapping must outlive this object.
+    //! @param mapping mapping of the file; if null, HDF5 reads the file
     GenerationChecksums(hid_t file, const Mapping* mapping);
     ~GenerationChecksums();
 
@@ -37,22 +37,23 @@ class GenerationChecksums {
     std::unique_ptr<Tables> tables_;
 };
 
-//! Computes the SHA-256 of a row of /final. The status is passed, because it is
-//! written after the checksum.
+//! Computes the SHA-256 of a row of /final. The status is an argument because
+//! the file receives it only after the checksum.
 std::string finalist_checksum(hid_t file, hsize_t row, Status status);
 
-//! Compares the header with its checksum.
+//! Verifies the checksum of the header.
 //! @throws Error (refused) if they differ.
 void require_header_intact(hid_t file, const std::string& path);
 
-//! Compares a complete generation with its checksum.
+//! Verifies the checksum of a complete generation.
 //! @throws Error (refused) if they differ.
 void require_intact(GenerationChecksums& checksums,
                     const Generations& generations, std::uint32_t generation,
                     const std::string& path);
 
-//! Compares the header, all complete generations and all recorded finalists
-//! with their checksums. @throws Error (refused) at the first that differs.
+//! Verifies the checksums of the header, all complete generations and all
+//! recorded finalists.
+//! @throws Error (refused) at the first that differs.
 void require_intact(hid_t file, const std::string& path);
 
 }  // namespace ideotype

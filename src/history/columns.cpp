@@ -87,8 +87,8 @@ void Columns::create(hid_t file, const GeneSpace& genes,
     for (DatasetForm& number_form : number_forms(schema, rows)) {
         number_form.room = form.room;
         create_dataset(group, number_form);
-        // The first columns, which selection needs, survive longest in a
-        // truncated file.
+        // Columns that selection needs come first, since they then survive
+        // longest in a truncated file.
         if (++count == essential_numbers) add_accounts();
     }
 }
@@ -249,8 +249,8 @@ void Columns::write(hsize_t first, const std::vector<Candidate>& candidates) {
     genome_.write(first, genes);
     origin_.write(first, origins);
     parents_.write(first, parents);
-    // New rows are zeros; NaN keeps readers of a single column from taking them
-    // for outcomes.
+    // New rows are zeros. Write NaN, so that readers of a single column do not
+    // mistake them for outcomes.
     const auto clear = [&](Dataset& column) {
         column.write(first, std::vector<double>(
                                 candidates.size() * column.width(), nan));

@@ -14,47 +14,49 @@ namespace ideotype {
 Axis gene_axis(const GeneSpace& genes);
 Axis objective_axis(const std::vector<Objective>& objectives);
 
-//! Suffix of the names of columns of standard errors.
+//! Suffix of the names of columns with standard errors.
 inline constexpr const char* error_suffix = "_standard_error";
 
-//! The number of leading columns that selection needs.
+//! The number of leading numeric columns that selection needs.
 inline constexpr std::size_t essential_numbers = 4;
 
-//! Returns the forms of the columns of an outcome's numbers.
+//! Returns the forms of the columns that store the numbers of outcomes.
 //! @param rows name of the first axis
 std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
                                       const std::string& rows);
 
-//! Returns pointers to the numbers of an outcome for each of number_forms(),
-//! row-major. Standard errors without a column are set to 0.
+//! Returns pointers to the numbers of an outcome, row-major, for each column of
+//! number_forms(). Standard errors without a column are set to 0.
 std::vector<std::vector<double*>> collect_numbers(const OutcomeSchema& schema,
                                                   Outcome& outcome);
 
-//! Writes the names and axes of quantities as an attribute of a group, and the
-//! axes themselves.
+//! Writes the names and axes of quantities as an attribute of a group, and
+//! creates the axes.
 void write_measured(hid_t group, const QuantitySet& measured);
 
-//! Reads the quantities from write_measured(), also from a truncated file.
+//! Reads the quantities that write_measured() wrote, also from a truncated
+//! file.
 QuantitySet read_measured(hid_t group);
 
 //! The shape of a table of rows.
 struct TableForm {
     std::string group;  //!< name, "evaluations" or "final"
     Axis rows;
-    Room room = Room::at_once;  //!< allocation of all columns but the status
+    Room room = Room::at_once;  //!< allocation of all columns except the status
     bool has_checksums = false;
 };
 
-//! Candidates and their outcomes, one dataset per quantity. The status of a
-//! row, written last and read first, determines which of its columns are valid.
+//! A table of candidates and their outcomes, with one dataset per quantity. The
+//! status of a row determines which of its columns are valid, so it is written
+//! last and read first.
 class Columns {
   public:
     //! Creates the group of a table with its axes and columns.
     static void create(hid_t file, const GeneSpace& genes,
                        const OutcomeSchema& schema, const TableForm& form);
 
-    //! Reads the quantities and the number of randomisations of a table; the
-    //! returned schema has no objectives.
+    //! Reads the quantities and the number of randomisations of a table. The
+    //! schema that is returned contains no objectives.
     static OutcomeSchema read_schema(hid_t file, const std::string& group);
 
     Columns(hid_t file, const std::string& group, const OutcomeSchema& schema);
@@ -66,14 +68,14 @@ class Columns {
 
     hsize_t rows() const { return status_.rows(); }
 
-    //! Makes later reads return NaN for numbers beyond a position in the file.
+    //! Limits the file to a length: numbers stored beyond it are read as NaN.
     void cut(haddr_t end);
 
-    //! Returns the number of leading rows with intact candidate, objectives and
-    //! violation.
+    //! Returns the number of leading rows with intact candidates, objectives
+    //! and violations.
     hsize_t intact_rows() const { return intact_rows_; }
 
-    //! Returns the number of leading rows with all columns intact.
+    //! Returns the number of leading rows that are intact in all columns.
     hsize_t whole_rows() const { return whole_rows_; }
 
     std::vector<Status> statuses(hsize_t first, hsize_t count) const {
@@ -83,22 +85,25 @@ class Columns {
     //! Returns the candidates of rows, none of which may be empty.
     std::vector<Candidate> candidates(hsize_t first, hsize_t count) const;
 
-    //! Returns rows, with NaN for all numbers that are not valid by their
-    //! status.
+    //! Returns rows. Numbers that are not valid according to the row's status
+    //! are NaN.
     std::vector<Row> read(hsize_t first, hsize_t count) const;
 
-    //! Returns the columns that selection needs; all rows must have an outcome.
+    //! Returns the columns that selection needs. All rows must have been
+    //! evaluated.
     Population population(hsize_t first, hsize_t count) const;
 
-    //! Writes candidates without their status, and clears the rows' outcomes.
+    //! Writes candidates without their status, and clears the outcomes of their
+    //! rows.
     void write(hsize_t first, const std::vector<Candidate>& candidates);
 
-    //! Writes outcomes without their status; numbers of failed ones become NaN.
+    //! Writes outcomes without their status. Numbers of failed outcomes become
+    //! NaN.
     void write_outcomes(hsize_t first, const std::vector<Row>& rows);
 
     void set_statuses(hsize_t first, const std::vector<Status>& statuses);
 
-    //! Writes the checksum of a row; does nothing if the table has none.
+    //! Writes the checksum of a row, unless the table has no checksums.
     void set_checksum(hsize_t row, const std::string& checksum);
 
   private:
@@ -109,8 +114,9 @@ class Columns {
     Dataset genome_;
     Dataset origin_;
     Dataset parents_;
-    std::vector<Dataset> numbers_;  //!< numbers of outcomes, see number_forms()
-    std::vector<hsize_t> intact_;   //!< leading intact rows of each dataset
+    std::vector<Dataset> numbers_;  //!< columns of number_forms()
+    std::vector<hsize_t>
+        intact_;  //!< number of leading intact rows, by dataset
     hsize_t intact_rows_;
     hsize_t whole_rows_;
     Dataset attempt_;

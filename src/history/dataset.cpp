@@ -37,8 +37,8 @@ std::size_t read_size(int descriptor) {
                : 0;
 }
 
-//! Reports that the file was truncated during an access or that its disk fails,
-//! and ends the program.
+//! Ends the program with a message that the file was truncated during an access
+//! or that its disk fails.
 extern "C" void end_without_file(int) {
     constexpr std::string_view text =
         "ideotype: a history was cut short while it was written, or its disk "
@@ -53,7 +53,7 @@ extern "C" void end_without_file(int) {
 std::unique_ptr<Mapping> Mapping::create(hid_t file) {
     if (!has_all_room(file)) return nullptr;
     const int descriptor = get_descriptor(file);
-    // HDF5 1.14 truncates all bytes after the last block when it flushes.
+    // When HDF5 1.14 flushes, it removes all bytes after the last block.
     haddr_t size = 0;
     checked(H5Fget_eoa(file, &size), "map the file");
     void* begin =
@@ -201,8 +201,8 @@ std::vector<char> Dataset::bytes(hsize_t first, hsize_t count) const {
     return bytes;
 }
 
-//! Reads values of a type, which must be the one in the file if the dataset is
-//! mapped.
+//! Reads values of a type. If the dataset is mapped, it must be the type in the
+//! file.
 void Dataset::fetch(hid_t type, hsize_t first, void* values,
                     std::size_t count) const {
     IDEOTYPE_EXPECT(count % width_ == 0);

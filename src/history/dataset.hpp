@@ -12,25 +12,25 @@
 namespace ideotype {
 
 //! An open file that is mapped to memory. Stored values reach the operating
-//! system at once, as after a write, but at a hundredth of the cost: they
-//! survive a kill of this process, and other processes can read them.
+//! system at once, so other processes can read them and they survive a kill of
+//! this process. A write would do the same, but takes a hundred times longer.
 class Mapping {
   public:
-    //! Maps a file. Returns null if space for the whole file is not reserved,
-    //! since a full disk would then end the process instead of failing a write.
-    //! SIGBUS, the signal for a truncated file, then ends the process with a
-    //! message.
+    //! Maps a file. Afterwards SIGBUS, the signal for a truncated file, ends
+    //! the process with a message. Returns null if space is not reserved for
+    //! the whole file: on a full disk, storing a value would end the process,
+    //! whereas a failed write can be reported.
     static std::unique_ptr<Mapping> create(hid_t file);
 
     ~Mapping();
     Mapping(const Mapping&) = delete;
     Mapping& operator=(const Mapping&) = delete;
 
-    //! Returns the address of the first value of a dataset, laid out as in the
-    //! file; null unless the dataset is one block.
+    //! Returns the address of the first value of a dataset, or null if the
+    //! dataset is not a single block. Values are laid out as in the file.
     char* find(hid_t dataset) const;
 
-    //! Returns false if the file has been truncated; lost parts must not be
+    //! Returns false if the file has been truncated; its lost parts must not be
     //! accessed.
     bool is_whole() const;
 
@@ -43,47 +43,48 @@ class Mapping {
     std::size_t size_;
 };
 
-//! An open dataset, read and written by whole rows of its first dimension. A
-//! scalar has one row.
+//! An open dataset, read and written in whole rows of its first dimension. A
+//! scalar counts as one row.
 class Dataset {
   public:
     Dataset() = default;
 
-    //! Opens a dataset. @throws Hdf5Error if no dataset has this name.
+    //! Opens a dataset.
+    //! @throws Hdf5Error if there is no dataset of this name.
     Dataset(hid_t location, const std::string& name);
 
     //! Returns the size of the first dimension.
     hsize_t rows() const;
 
-    //! Returns an attribute that is a text, or "" if it does not exist.
+    //! Returns an attribute that is a string, or "" if it does not exist.
     std::string text(const std::string& attribute) const;
 
     //! Returns whether the dataset is the scale of a dimension.
     bool is_scale() const;
 
-    //! Returns the class of the type of values.
+    //! Returns the HDF5 class of the values' type.
     H5T_class_t kind() const { return H5Tget_class(memory_type_); }
 
     //! Returns the number of values in one row.
     std::size_t width() const { return width_; }
 
-    //! Returns the number of whole rows before a position in the file; 0 for a
-    //! compressed dataset, whose rows have no position.
+    //! Returns the number of complete rows before a position in the file; 0 for
+    //! a compressed dataset, in which rows have no fixed position.
     hsize_t rows_before(haddr_t end) const;
 
-    //! Makes all later reads and writes use the mapped file, unless values have
-    //! another form in memory or are not in one block. The mapping must outlive
-    //! this object.
+    //! Makes all later reads and writes use the mapped file. Does nothing if
+    //! the values are converted on reading or are not in one block. The mapping
+    //! must outlive this object.
     void use(const Mapping& mapping);
 
-    //! Writes rows of values of the dataset's type in memory.
+    //! Writes rows of values, in the type that the dataset uses in memory.
     template <class Values>
     void write(hsize_t first, const Values& values) {
         put(first, std::data(values), std::size(values),
             sizeof(*std::data(values)));
     }
 
-    //! Writes one value of a dataset with one value per row.
+    //! Writes one value to a dataset that has one value per row.
     template <class Value>
     void write_one(hsize_t row, const Value& value) {
         put(row, &value, 1, sizeof(Value));
@@ -97,7 +98,7 @@ class Dataset {
         return values;
     }
 
-    //! Reads rows as bytes of the file.
+    //! Reads rows as they are stored, as bytes.
     std::vector<char> bytes(hsize_t first, hsize_t count) const;
 
     //! Write and read fixed-length strings; longer strings are truncated.

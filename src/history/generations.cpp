@@ -23,15 +23,15 @@ const std::string group_name = "generations";
 template <class Value>
 struct SummaryColumn {
     const char* name;
-    const char* unit;  //!< unit; null is that of the first objective
+    const char* unit;  //!< unit; null: unit of the first objective
     const char* meaning;
     Value GenerationSummary::*member;
 };
 
-//! Represents the product of the units of all objectives.
+//! Stands for the product of the units of all objectives.
 constexpr auto product = "product";
 
-//! The number of columns at the end that exist only with several objectives.
+//! The number of trailing columns that exist only with several objectives.
 constexpr std::size_t front_columns = 2;
 
 using Summary = GenerationSummary;

@@ -25,21 +25,22 @@ class Generations {
 
     explicit Generations(hid_t file);
 
-    //! Returns the number of generations that fit in the file.
+    //! Returns the number of generations for which the file has room.
     std::uint32_t capacity() const {
         return static_cast<std::uint32_t>(committed_.rows());
     }
 
-    //! Returns the number of complete generations, which precede all others.
+    //! Returns the number of complete generations. They precede all others.
     std::uint32_t committed() const;
 
-    //! Returns the rows of a generation; none before it is proposed.
+    //! Returns the rows of a generation; an empty span before it is proposed.
     Span span(std::uint32_t generation) const;
     void set_span(std::uint32_t generation, const Span& span);
 
     std::vector<GenerationSummary> read(std::uint32_t count) const;
 
-    //! Writes the summary of a generation; its best slot is stored as a row.
+    //! Writes the summary of a generation. Its best slot is stored as a row
+    //! number.
     void write(std::uint32_t generation, const GenerationSummary& summary);
 
     std::string checksum(std::uint32_t generation) const {
@@ -54,8 +55,8 @@ class Generations {
     Dataset first_row_;
     Dataset count_;
     Dataset best_row_;
-    std::vector<Dataset> numbers_;  //!< datasets of number_columns, in order
-    std::vector<Dataset> counts_;   //!< datasets of integer_columns, in order
+    std::vector<Dataset> numbers_;  //!< datasets in the order of number_columns
+    std::vector<Dataset> counts_;  //!< datasets in the order of integer_columns
     Dataset checksum_;
 };
 

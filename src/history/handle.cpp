@@ -13,8 +13,8 @@ herr_t keep_first(unsigned, const H5E_error2_t* entry, void* text) {
     return 0;
 }
 
-// Extracts the system's message from HDF5's description of a failed system
-// call, which also contains addresses and offsets.
+// Extracts the operating system's message from HDF5's description of a failed
+// system call, which also contains addresses and offsets.
 std::string extract_system_message(const std::string& description) {
     const std::string opening = "error message = '";
     const std::size_t begin = description.find(opening);

@@ -11,22 +11,23 @@
 
 namespace ideotype {
 
-//! A failure of HDF5. History converts it to an Error with the name of the
-//! file.
+//! A failure of HDF5. History converts it to an Error that names the file.
 class Hdf5Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-//! Disables HDF5's messages and its clean-up at exit, which crashes after a
-//! full disk. This cheap call must precede opening or creating a file.
+//! Disables HDF5's messages, and its clean-up at exit, which crashes after the
+//! disk was full. Call it before a file is opened or created; the call is
+//! cheap.
 void initialize_hdf5();
 
 //! Reports the failure of an action.
 //! @throws Hdf5Error "cannot <action>: <HDF5's innermost reason>"
 [[noreturn]] void throw_hdf5_error(const std::string& action);
 
-//! Returns a result of HDF5. @throws Hdf5Error if it is negative.
+//! Returns the result of an HDF5 function.
+//! @throws Hdf5Error if it is negative.
 template <class Result>
 Result checked(Result result, const std::string& action) {
     if (result < 0) throw_hdf5_error(action);

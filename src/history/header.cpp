@@ -25,7 +25,8 @@ void write_genes(hid_t file, const GeneSpace& genes) {
         group,
         {.name = "unit", .axes = {"gene"}, .meaning = "unit of the gene"},
         mapped(genes, &Gene::unit));
-    // Adds a number of each gene; the type of `stored` is the type in the file.
+    // Adds a dataset with a number for each gene; `stored` has the type in the
+    // file.
     const auto add = [&](const std::string& name, const std::string& meaning,
                          const std::string& unit, hid_t type, auto member,
                          auto stored) {

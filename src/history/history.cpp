@@ -71,7 +71,8 @@ std::uint64_t History::evaluated() const {
 }
 
 std::uint32_t History::next_generation() const {
-    // A writer knows the number; the file of a reader may have grown.
+    // A writer knows the number. While a reader has the file open, the number
+    // may grow.
     if (file_->lock) return file_->next_generation;
     std::uint32_t count =
         file_->read([&] { return file_->generations.committed(); });
@@ -88,7 +89,7 @@ std::size_t History::propose(std::uint32_t generation, std::size_t size,
     IDEOTYPE_EXPECT(!candidates.empty());
     IDEOTYPE_EXPECT(slot + candidates.size() <= size);
     file_->require_genes(candidates);
-    // The rows of a generation follow those of the generation before.
+    // The rows of a generation follow those of the previous generation.
     const Span before = generation == 0 ? Span{} : file_->span(generation - 1);
     if (generation > 0 && before.count == 0)
         file_->fail_incomplete(generation - 1);

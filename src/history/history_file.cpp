@@ -15,14 +15,14 @@ namespace ideotype {
 
 namespace {
 
-// Compares bits: two zeros may compare equal but differ, and NaN never compares
-// equal.
+// Compares bits, since two equal zeros may differ in sign, and NaN never
+// compares equal.
 bool has_same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 //! Describes the first gene, origin or parent in which two candidates differ in
-//! any bit, with both values; returns "" if there is no difference.
+//! any bit, with both values; returns "" if the candidates are identical.
 std::string find_difference(const GeneSpace& genes, const Candidate& was,
                             const Candidate& is) {
     IDEOTYPE_EXPECT(was.genome.size() == genes.size() &&
@@ -140,14 +140,15 @@ void History::File::record(Columns& columns, const std::string& label,
         if (&columns == &finals)
             columns.set_checksum(row,
                                  finalist_checksum(id, row, outcome.status));
-        // Rows are never buffered: each write has reached the operating system
-        // when it returns. A flush would search all datasets in vain.
+        // Do not flush: rows are never buffered, and each write has reached the
+        // operating system when it returns. A flush would search all datasets
+        // in vain.
         columns.set_statuses(row, {outcome.status});
     });
 }
 
-//! Refuses a truncated file that is mapped, since its lost pages must not be
-//! accessed.
+//! Checks that a mapped file has not been truncated, since its lost pages must
+//! not be accessed.
 void History::File::require_whole() const {
     if (mapping && !mapping->is_whole())
         fail(

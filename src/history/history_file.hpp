@@ -22,8 +22,8 @@
 
 namespace ideotype {
 
-//! Runs an action, and converts a failure of HDF5 to an Error with the file's
-//! name.
+//! Runs an action. A failure of HDF5 is converted to an Error that names the
+//! file.
 template <class Action>
 auto add_path_to_errors(const std::string& path, Action action) {
     try {
@@ -33,14 +33,14 @@ auto add_path_to_errors(const std::string& path, Action action) {
     }
 }
 
-//! The open file, with the operations that History applies to generations and
-//! finalists alike.
+//! The open file, with the operations that History uses for both generations
+//! and finalists.
 struct History::File {
-    //! Takes ownership of an open file. A reader holds no lock.
+    //! Takes ownership of an open file. Readers pass no lock.
     File(std::string name, std::optional<FileLock> held, Handle opened);
 
-    //! Returns the rows of a generation; none before it is proposed. @throws
-    //! Error if the generation does not fit in the file.
+    //! Returns the rows of a generation; an empty span before it is proposed.
+    //! @throws Error if the file has no room for the generation.
     Span span(std::uint32_t generation) const;
 
     //! Returns a row of /evaluations. @throws Error if the slot does not exist.
@@ -55,7 +55,8 @@ struct History::File {
         fail(fmt::format("generation {} is not complete", generation));
     }
 
-    //! Reads; discards the result if the file is truncated meanwhile.
+    //! Runs an action that reads, and discards its result if the file was
+    //! truncated meanwhile.
     template <class Action>
     auto read(Action action) const {
         require_whole();
@@ -72,41 +73,41 @@ struct History::File {
                 "this history cannot be continued, since an earlier write "
                 "failed");
         require_in_place();
-        // After a failed write HDF5 would accept more data and store zeros.
+        // After a failed write, HDF5 would accept more data but store zeros.
         is_broken = true;
         try {
             action();
         } catch (const Hdf5Error& error) {
             fail_to_write(error);
         } catch (const ContractError&) {
-            require_whole();  // zeros of a truncated file break it
+            require_whole();  // zeros of a truncated file may be the cause
             throw;
         }
         is_broken = false;
     }
 
-    //! @throws Error if genomes do not have the genes of this history.
+    //! @throws Error if a genome does not match the genes of this history.
     void require_genes(const std::vector<Candidate>& candidates) const;
 
-    //! Stores candidates; verifies those stored by an interrupted session and
-    //! returns their number.
-    //! @param label name of the rows; messages append the slot
+    //! Stores candidates. Those that an interrupted session stored are verified
+    //! instead; returns their number.
+    //! @param label name of the rows in messages, which append the slot
     std::size_t propose(Columns& columns, const std::string& label,
                         std::uint32_t first_slot, hsize_t first,
                         const std::vector<Candidate>& candidates);
 
-    //! Stores an outcome of a proposed row; label is the name of the row.
+    //! Stores the outcome of a proposed row; `label` names the row in messages.
     void record(Columns& columns, const std::string& label, hsize_t row,
                 const Outcome& outcome, std::uint32_t attempt);
 
-    //! Synchronises the file with the disk at most once a second, since this
-    //! takes milliseconds, as long as a small generation.
+    //! Synchronises the file with the disk, but at most once a second: it takes
+    //! milliseconds, as long as a small generation.
     void synchronize_each_second();
 
     std::string path;
     std::optional<FileLock> lock;
     Handle id;
-    std::unique_ptr<Mapping> mapping;  //!< file mapped to memory, for a writer
+    std::unique_ptr<Mapping> mapping;  //!< memory mapping of a writer's file
     HistoryHeader header;
     Columns evaluations;
     Columns finals;
@@ -114,13 +115,13 @@ struct History::File {
     Journal journal;
     GenerationChecksums checksums;
     std::uint32_t next_generation = 0;
-    std::vector<Span> spans;  //!< rows of generations, for a writer
+    std::vector<Span> spans;  //!< rows of each generation, for a writer
     //! Time of the last synchronisation with the disk.
     std::chrono::steady_clock::time_point synchronized{};
     bool is_broken = false;
     std::uint64_t missing_bytes = 0;
 
-    //! Refuses a file that was deleted or replaced, see History.
+    //! Checks that the file was not deleted or replaced, see History.
     void require_in_place() const;
 
   private:

@@ -37,7 +37,7 @@ constexpr std::array session_columns{
     SessionColumn{"libraries", 256, "name and version of each library",
                   &SessionRecord::libraries}};
 
-// Counts the used rows, which end before the first empty one.
+// Counts the used rows, which precede the first empty row.
 hsize_t count_used(const Dataset& texts) {
     const auto entries = texts.read_text(0, texts.rows());
     return static_cast<hsize_t>(std::find(entries.begin(), entries.end(), "") -
@@ -100,7 +100,7 @@ void Journal::add(const SessionRecord& session) {
     IDEOTYPE_EXPECT(!session.started.empty() && session.ranks > 0);
     if (sessions_used_ == ranks_.rows()) return;
     ranks_.write_one(sessions_used_, std::int32_t{session.ranks});
-    // The start is written last, since it marks the row as used.
+    // Write the start time last, since it marks the row as used.
     for (std::size_t i = session_columns.size(); i-- > 0;)
         sessions_[i].write_text(sessions_used_,
                                 session.*session_columns[i].member);

@@ -11,25 +11,25 @@
 
 namespace ideotype {
 
-//! The tables /state, /sessions and /messages: events of a case apart from its
-//! evolution.
+//! The tables /state, /sessions and /messages, which record events of a case
+//! other than its generations.
 class Journal {
   public:
     static void create(hid_t file);
 
     explicit Journal(hid_t file);
 
-    //! Both functions drop entries that no longer fit.
+    //! Both functions ignore entries for which there is no room.
     void add(const SessionRecord& session);
     void add(const std::string& message);
 
-    //! Returns the last session, or nothing before the first.
+    //! Returns the last session, or nothing if there was none.
     std::optional<SessionRecord> last_session() const;
 
     double wall_time() const { return wall_time_.read<double>(0, 1)[0]; }
     void set_wall_time(double seconds) { wall_time_.write_one(0, seconds); }
 
-    //! Writes why the case ended. Call it before set_finished().
+    //! Writes the reason why the case ended. Call it before set_finished().
     void set_reason(const std::string& reason);
     void set_finished() { finished_.write_one(0, std::int8_t{1}); }
     std::optional<std::string> finished() const;
@@ -38,7 +38,8 @@ class Journal {
     Dataset finished_;
     Dataset reason_;
     Dataset wall_time_;
-    std::vector<Dataset> sessions_;  //!< datasets of session_columns, in order
+    std::vector<Dataset>
+        sessions_;  //!< datasets in the order of session_columns
     Dataset ranks_;
     Dataset messages_;
     hsize_t sessions_used_ = 0;

@@ -27,7 +27,7 @@ Handle create_space(const Sizes& sizes) {
 Handle create_properties(const DatasetForm& form) {
     const std::string action = "create " + form.name;
     Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, action);
-    // Creation times would make files of equal runs differ.
+    // Without this, files of identical runs would differ in creation times.
     checked(H5Pset_obj_track_times(properties, false), action);
     checked(H5Pset_layout(properties, H5D_CONTIGUOUS), action);
     checked(H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY), action);

@@ -9,10 +9,11 @@
 
 namespace ideotype {
 
-//! Returns the type of UTF-8 texts of a number of bytes, padded with NUL.
+//! Returns the type of UTF-8 strings of a fixed number of bytes, padded with
+//! NUL.
 Handle string_type(std::size_t size);
 
-//! The following functions return the types of Status, Origin and bool, which
+//! The following functions return the types of Status, Origin and bool. They
 //! are enumerations of 8 bits; h5py reads the last as bool.
 Handle status_type();
 Handle origin_type();
@@ -23,7 +24,7 @@ void create_attribute(hid_t object, const std::string& name,
 void create_attribute(hid_t object, const std::string& name, hid_t type,
                       const void* value);
 
-//! Lists the names of the attributes of an object, except those of dimension
+//! Lists the names of an object's attributes. It omits attributes of dimension
 //! scales, which contain addresses in the file.
 std::vector<std::string> list_attributes(hid_t object);
 
@@ -38,7 +39,7 @@ struct Attribute {
 //! Returns a string attribute of an object, or "" if it does not exist.
 std::string text_attribute(hid_t object, const std::string& name);
 
-//! Returns an attribute that is a number, in the native type of Value.
+//! Returns a numeric attribute, converted to the native type Value.
 template <class Value>
 Value number_attribute(hid_t object, const std::string& name,
                        hid_t memory_type) {
@@ -49,47 +50,48 @@ Value number_attribute(hid_t object, const std::string& name,
     return value;
 }
 
-//! Lists the paths of all datasets of a file or group by name.
+//! Lists the paths of all datasets in a file or group, sorted by name.
 std::vector<std::string> list_datasets(hid_t location);
 
 //! The time at which disk space is allocated to a dataset.
 enum class Room {
-    at_once,    //!< allocated by writing the empty value
-    as_needed,  //!< rows are holes of zeros until they are written
+    at_once,    //!< at creation, by writing the empty value
+    as_needed,  //!< when rows are written; until then they are holes of zeros
 };
 
-//! The permanent form of a dataset.
+//! The declaration of a dataset, which does not change after creation.
 struct DatasetForm {
     std::string name;
     hid_t type = -1;
-    std::vector<std::string> axes{};  //!< names in the group; none: a scalar
-    std::string unit = "1";           //!< unit; "" for texts
+    std::vector<std::string>
+        axes{};              //!< names of axes in the group; none for a scalar
+    std::string unit = "1";  //!< unit; "" for texts
     std::string meaning{};
-    //! Value of unwritten numbers in the native form of the type; null: zeros.
+    //! Value of unwritten numbers, in the native type; null means zero.
     const void* empty = nullptr;
     Room room = Room::at_once;
 };
 
 //! Creates a dataset as one block at a fixed position, with a dimension scale
-//! on each axis. A single block needs no chunk index, which HDF5 could not read
-//! after a kill that splits a write at the end of a memory page.
-//! @param group group with a scale for each axis
+//! on each axis. A single block needs no chunk index; HDF5 could not read a
+//! damaged index after a kill that split a write at the end of a memory page.
+//! @param group group that contains a scale for each axis
 Handle create_dataset(hid_t group, const DatasetForm& form);
 
 //! Creates the dimension scale of an axis.
 void create_axis(hid_t group, const Axis& axis);
 
-//! Creates and fills a dataset of strings, one for each entry of its axis, with
-//! the length of the longest. The type in the form is ignored.
+//! Creates and fills a dataset of strings, one for each position on its axis.
+//! Their length is that of the longest; the type in `form` is ignored.
 void create_texts(hid_t group, DatasetForm form,
                   const std::vector<std::string>& texts);
 
 Handle create_group(hid_t parent, const std::string& name);
 
-//! Returns whether a group has an object of this name.
+//! Returns whether a group contains an object of this name.
 bool exists(hid_t group, const std::string& name);
 
-//! Returns the axis that a dimension scale describes.
+//! Reads an axis from its dimension scale.
 Axis read_axis(hid_t group, const std::string& name);
 
 }  // namespace ideotype

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Formats names and axes in the order of a schema: "lai
-// absorbed_by_leaf[leaf]". A truncated file may have this text but lack the
-// references to scales.
+// Formats names and axes of quantities in the order of a schema: "lai
+// absorbed_by_leaf[leaf]". In a truncated file this text may be left while the
+// references to scales are lost.
 std::string format_quantities(const std::vector<Quantity>& quantities) {
     const auto text = [](const Quantity& quantity) {
         return quantity.axes.empty()

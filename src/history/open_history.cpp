@@ -57,7 +57,7 @@ HistoryHeader History::header_of(const std::string& path) {
 
 Verified verify_file(const std::string& path) {
     const History history = History::read(path);
-    // Reading compressed blocks verifies their own checksums.
+    // Verify the checksums of compressed blocks by reading them.
     add_path_to_errors(path, [&] {
         constexpr hsize_t chunk = 1000;
         const Handle file = open_as_it_is(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Batches of a dispatcher: work of routines that await it.
+// Batches of a dispatcher: the work that a coroutine awaits.
 #include <limits>
 #include <optional>
 #include <utility>
@@ -41,8 +41,8 @@ void Dispatcher::remove(Batch& batch) {
     std::erase(complete_, &batch);
 }
 
-//! Adds the next work of a batch's source to the waiting work; returns false if
-//! there is none or the source failed.
+//! Moves the next work from a batch's source to the waiting work; returns false
+//! if the source is empty or failed.
 bool Dispatcher::fetch(Batch& batch) {
     std::optional<Work> work;
     try {
@@ -72,7 +72,8 @@ void Dispatcher::resume_complete() {
     }
 }
 
-//! Closes all batches, so that their routines resume with the outcomes so far.
+//! Closes all batches, so that their coroutines resume with the outcomes that
+//! have arrived.
 void Dispatcher::release_all() {
     while (!open_.empty()) close(*open_.begin()->second);
 }

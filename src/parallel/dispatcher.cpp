@@ -15,8 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! An evaluation is late if it takes this many times as long as the longest one
-//! so far.
+//! An evaluation is late if it takes this many times as long as the longest
+//! evaluation so far.
 constexpr double longest_factor = 20;
 
 std::string describe(const Task& task) {
@@ -28,11 +28,12 @@ std::string describe(const Task& task) {
 }  // namespace
 
 struct Dispatcher::Assignment {
-    std::uint64_t batch = 0;  //!< number of the batch, which may have ended
+    std::uint64_t batch =
+        0;  //!< number of the batch, which may already be closed
     std::uint64_t item = 0;
     Task task;
-    double began = 0;     //!< time of now() [s]
-    double deadline = 0;  //!< time of now() [s]
+    double began = 0;     //!< start, as a time of now() [s]
+    double deadline = 0;  //!< as a time of now() [s]
 };
 
 Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
@@ -51,7 +52,7 @@ Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
 }
 
 Dispatcher::~Dispatcher() {
-    // A busy worker could not send its reply without a receiver.
+    // Receive from busy workers, which otherwise could not send their replies.
     if (dismiss()) return;
     while (has_late()) drop_next();
 }
@@ -68,7 +69,8 @@ void Dispatcher::run(Director& director) {
             has_reported_stop_ = true;
             director.on_stop(busy_in_time());
         }
-        // Hand out work before routines resume, since breeding takes time.
+        // Hand out work before coroutines resume, since proposing a generation
+        // takes time.
         while (hand_out()) continue;
         resume_complete();
         while (!idle_.empty() && !is_ending())
@@ -101,7 +103,7 @@ bool Dispatcher::has_late() const {
 }
 
 //! Returns the running time of this process [s]. It excludes pauses of the job,
-//! such as after Ctrl-Z, so that no worker becomes late by them.
+//! for example after Ctrl-Z, so that a pause makes no worker late.
 double Dispatcher::now() {
     constexpr double longest_step = 0.5;
     const double time = clock_.now();
@@ -143,8 +145,8 @@ std::optional<int> Dispatcher::next_late() {
     return worker;
 }
 
-//! Sends the next work to an idle worker; returns false without work or idle
-//! worker, or if a stop is requested.
+//! Sends the next work to an idle worker. Returns false if there is no work or
+//! no idle worker, or if a stop is requested.
 bool Dispatcher::hand_out() {
     if (is_ending() || idle_.empty()) return false;
     for (const auto& [precedence, open] : open_) {
@@ -157,7 +159,7 @@ bool Dispatcher::hand_out() {
         const std::uint64_t item = batch.waiting_.back();
         batch.waiting_.pop_back();
         const auto entry = batch.unanswered_.find(item);
-        // A late worker may have answered in the meantime.
+        // Another answer may have arrived in the meantime.
         if (entry == batch.unanswered_.end()) return true;
         const Work& work = entry->second;
         const double began = now();
@@ -171,7 +173,7 @@ bool Dispatcher::hand_out() {
     return false;
 }
 
-//! Waits until an answer arrives or a worker is late, for a limited time.
+//! Waits for a limited time until an answer arrives or a worker is late.
 void Dispatcher::receive(Director& director) {
     if (const auto answer = workers_->wait(seconds_to_wait())) {
         const auto& [worker, outcome] = *answer;
@@ -185,7 +187,7 @@ void Dispatcher::receive(Director& director) {
     while (const auto worker = next_late()) give_up(*worker, director);
 }
 
-//! Records that a machine failed to evaluate, independent of the plant.
+//! Records that a machine, not the plant, caused an evaluation to fail.
 void Dispatcher::note_obstacle(int worker, const Task& task,
                                const std::string& reason) {
     if (!obstacle_.empty()) return;
@@ -196,7 +198,7 @@ void Dispatcher::note_obstacle(int worker, const Task& task,
         worker, describe(task), reason);
 }
 
-//! Records an outcome, unless its batch has ended or another attempt answered
+//! Records an outcome, unless its batch is closed or another attempt answered
 //! first.
 void Dispatcher::settle(const Assignment& assignment, const Outcome& outcome) {
     IDEOTYPE_EXPECT(outcome.status == Status::done ||
@@ -219,7 +221,7 @@ void Dispatcher::settle(const Assignment& assignment, const Outcome& outcome) {
     if (!continues) close(batch);
 }
 
-//! Decides about the task of a worker that has become late.
+//! Decides whether the task of a late worker is repeated or fails.
 void Dispatcher::give_up(int worker, Director& director) {
     const Assignment assignment =
         *assignments_[static_cast<std::size_t>(worker)];
@@ -232,7 +234,7 @@ void Dispatcher::give_up(int worker, Director& director) {
         batch_entry != by_number_.end() &&
         batch_entry->second->unanswered_.contains(assignment.item);
     // If no worker is left, the machines are more likely at fault than the
-    // candidate, which stays pending.
+    // candidate. Its evaluation stays pending.
     const bool is_alone = idle_.empty() && busy_in_time() == 0;
     const bool is_last = assignment.task.attempt >= most_attempts;
     const bool ends = is_ending();
@@ -264,7 +266,7 @@ double Dispatcher::seconds_to_wait() const {
                       rules_.attention);
 }
 
-//! Receives and discards an answer, or detects a late worker.
+//! Receives an answer and discards it, or detects a late worker.
 void Dispatcher::drop_next() {
     if (const auto answer = workers_->wait(seconds_to_wait()))
         take(answer->worker, answer->outcome);

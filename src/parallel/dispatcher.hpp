@@ -21,7 +21,7 @@
 
 namespace ideotype {
 
-//! A task and the genome to evaluate.
+//! A task, with the genome to evaluate.
 struct Work {
     Task task;
     Genome genome;
@@ -29,26 +29,27 @@ struct Work {
     bool operator==(const Work&) const = default;
 };
 
-//! Returns the next work of a batch, if any is ready; called again after each
-//! outcome. Work of later generations must come later.
+//! Returns the next work of a batch, if any is ready. It is called again after
+//! each outcome. Generations must not decrease from call to call.
 using NextWork = std::function<std::optional<Work>()>;
 
-//! Records an outcome. Called on rank 0 for each arriving outcome, which it
-//! must make durable. The task contains the attempt that was answered.
+//! Records an outcome durably. It is called on rank 0 for each outcome that
+//! arrives. The task contains the number of the attempt that was answered.
 using Record = std::function<void(const Work&, const Outcome&)>;
 
 //! The number of late attempts after which an evaluation counts as failed,
 //! unless no worker is left.
 inline constexpr std::uint32_t most_attempts = 3;
 
-//! Rules for the time to wait for an answer.
+//! Rules that limit the time to wait for an answer.
 struct AnswerRules {
-    //! Time after which an evaluation is late [s]; at least 20 times the
-    //! longest so far.
+    //! Time after which an evaluation is late [s]. The actual limit is at least
+    //! 20 times the longest evaluation so far.
     double deadline = 60;
-    double final_effort = 1;  //!< relative duration of final evaluations
-    //! Time within which a stop request, a passed deadline or new work of a
-    //! source is noticed while evaluations are in flight [s].
+    double final_effort =
+        1;  //!< duration of final evaluations, relative to others
+    //! Largest delay with which a stop request, a passed deadline or new work
+    //! of a source is noticed while evaluations are in flight [s].
     double attention = 0.25;
 
     double effort(const Task& task) const {
@@ -56,17 +57,16 @@ struct AnswerRules {
     }
 };
 
-//! Starts routines, and is notified of all events except outcomes.
+//! Starts coroutines, and is notified of all events except outcomes.
 class Director {
   public:
     virtual ~Director() = default;
 
-    //! Starts another routine that will await evaluations, when workers are
-    //! idle; returns false if there is none.
+    //! Called when workers are idle: starts another coroutine that will await
+    //! evaluations. Returns false if there is none.
     virtual bool start_next() = 0;
 
-    //! Called when a worker did not answer in time, with a message for the
-    //! user.
+    //! Called when a worker is late, with a message for the user.
     virtual void on_silence(const Task& task, const std::string& message) = 0;
 
     //! Called once after a stop request, with the number of evaluations in
@@ -77,10 +77,10 @@ class Director {
 class Batch;
 class Workers;
 
-//! Distributes the work of several routines to evaluators on demand. Work of
-//! the case with the lowest generation comes first: cases fill the gaps at the
-//! ends of each other's generations, and cases that start together end
-//! together.
+//! Distributes the work of several coroutines to evaluators on demand. Work of
+//! the case with the lowest generation comes first. Cases thus use workers that
+//! are idle at the end of another case's generation, and cases that start
+//! together end together.
 class Dispatcher {
   public:
     Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
@@ -92,34 +92,36 @@ class Dispatcher {
     Dispatcher& operator=(const Dispatcher&) = delete;
 
     //! Evaluates work of one case in any order, until nothing is in flight and
-    //! the source is empty; routines within run() co_await the batch. After a
-    //! stop request no work is handed out, and the routine resumes when all
-    //! work in flight has arrived or is late. Rethrows an exception of source
-    //! or record; work in flight is lost in that case.
+    //! the source is empty. Coroutines within run() co_await the batch. After a
+    //! stop request no work is handed out, and the coroutine resumes when all
+    //! work in flight has arrived or is late. An exception of source or record
+    //! is rethrown; work in flight is then lost.
     Batch evaluate(NextWork source, Record record);
 
-    //! Evaluates a list of work, as from a source that returns its items.
+    //! Evaluates a list of work.
     Batch evaluate(std::vector<Work> work, Record record);
 
-    //! Runs routines until all have ended. A late evaluation is given to
+    //! Runs coroutines until all have ended. A late evaluation is given to
     //! another worker, and the first answer counts. A late worker gets no work
-    //! until it answers. @throws Error if no worker responds any more, or if a
-    //! machine failed to evaluate, after routines have resumed as after a stop.
-    //! Routines that are still paused must be destroyed before the dispatcher.
+    //! until it answers. Coroutines that are still paused must be destroyed
+    //! before the dispatcher.
+    //! @throws Error if no worker responds any more or a machine failed to
+    //! evaluate. Coroutines first resume as after a stop.
     void run(Director& director);
 
     //! Returns the number of evaluations that can run concurrently.
     int width() const;
 
-    //! Waits for work in flight until its deadline, discards it and dismisses
-    //! the workers. Returns false if a worker does not answer; in that case
+    //! Waits for work in flight until its deadline, discards the answers and
+    //! dismisses the workers. Returns false if a worker does not answer; then
     //! only Session::abort() can end the job.
     [[nodiscard]] bool dismiss();
 
   private:
     friend Batch;
     struct Assignment;
-    //! Orders batches: lowest generation first, then lowest case, then oldest.
+    //! Order in which batches get workers: lowest generation first, then lowest
+    //! case, then oldest.
     using Precedence = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>;
 
     void add(Batch& batch);
@@ -151,22 +153,22 @@ class Dispatcher {
     // Idle workers. No loop runs over all workers, of which there may be
     // thousands.
     std::set<int> idle_;
-    //! Times of now() at which workers that are not late become late [s].
+    //! Deadlines of the workers that are not late, as times of now() [s].
     std::set<std::pair<double, int>> deadlines_;
     std::map<Precedence, Batch*> open_;
     std::map<std::uint64_t, Batch*> by_number_;  //!< open batches by number
-    std::vector<Batch*> complete_;  //!< batches to be resumed, in this order
+    std::vector<Batch*> complete_;  //!< batches to be resumed, in order
     std::uint64_t batches_ = 0;     //!< number of batches so far
-    //! Longest evaluation in units of usual effort, without late ones [s].
+    //! Longest evaluation that was not late, scaled to the usual effort [s].
     double longest_ = 0;
     double last_time_;      //!< clock time of the last call of now() [s]
-    double running_ = 0;    //!< result of now() at that time [s]
-    std::string obstacle_;  //!< why a machine failed to evaluate
+    double running_ = 0;    //!< result of the last call of now() [s]
+    std::string obstacle_;  //!< reason why a machine failed to evaluate
     bool has_reported_stop_ = false;
     bool is_dismissed_ = false;
 };
 
-//! Work that a routine awaits; see Dispatcher::evaluate().
+//! Work that a coroutine awaits; see Dispatcher::evaluate().
 class [[nodiscard]] Batch {
   public:
     Batch(Dispatcher& dispatcher, NextWork source, Record record)
@@ -178,7 +180,7 @@ class [[nodiscard]] Batch {
     Batch(const Batch&) = delete;
     Batch& operator=(const Batch&) = delete;
 
-    // The following functions allow routines to co_await a batch.
+    // The following functions allow coroutines to co_await a batch.
     bool await_ready() {
         return dispatcher_.stop_.requested() || !dispatcher_.fetch(*this);
     }
@@ -198,27 +200,29 @@ class [[nodiscard]] Batch {
     Record record_;
     std::uint64_t number_;
     std::uint64_t fetched_ = 0;
-    std::map<std::uint64_t, Work> unanswered_;  //!< work with latest attempt
-    std::vector<std::uint64_t> waiting_;        //!< unassigned; may be answered
-    Dispatcher::Precedence precedence_;  //!< precedence of work fetched last
+    std::map<std::uint64_t, Work>
+        unanswered_;  //!< work with its latest attempt
+    std::vector<std::uint64_t>
+        waiting_;  //!< not assigned; may be answered already
+    Dispatcher::Precedence
+        precedence_;  //!< precedence of the work fetched last
     std::coroutine_handle<> awaiting_;
     std::exception_ptr failure_;
 };
 
-//! Makes the dispatcher of a job. Without other ranks, threads of this process
-//! evaluate. With other ranks, rank 0 sends work to idle workers and sleeps in
-//! between; its own evaluators provide only their schema, unless each rank has
-//! several threads, which then take part. All references must outlive the
-//! dispatcher.
+//! Makes the dispatcher of a job. A single rank evaluates with its threads.
+//! With several ranks, rank 0 sends work to idle workers and sleeps in between.
+//! Its threads evaluate only if each rank has several; otherwise its evaluator
+//! provides only the schema. All references must outlive the dispatcher.
 //! @param evaluators one for each thread, equally many on all ranks
 std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             const Evaluators& evaluators,
                                             const StopFlag& stop,
                                             const AnswerRules& rules = {});
 
-//! Runs a worker rank: receives work, evaluates it and replies, until rank 0
-//! dismisses it. An Error in an evaluation becomes a failed outcome with its
-//! message, cut to 160 bytes.
+//! Runs a worker rank: it receives work, evaluates it and replies, until rank 0
+//! dismisses it. An Error in an evaluation becomes a failed outcome with the
+//! error's message, cut to 160 bytes.
 //! @throws Error if a message is neither work nor dismissal
 void serve(const Session& session, const Evaluators& evaluators);
 

@@ -13,13 +13,14 @@ class Evaluator {
   public:
     virtual ~Evaluator() = default;
 
-    //! Returns the form of the outcome of a task.
+    //! Returns the schema of the outcome of a task.
     virtual const OutcomeSchema& schema(const Task& task) const = 0;
 
-    //! Evaluates a genome. Except for seconds, the outcome is a pure function
-    //! of task and genome. @throws Error if the plant cannot be evaluated; the
-    //! worker converts it to a failed outcome. Any other exception, such as
-    //! lack of memory, is a failure of the machine and ends the job.
+    //! Evaluates a genome. The outcome is a pure function of task and genome,
+    //! except for `seconds`.
+    //! @throws Error if the plant cannot be evaluated; the worker converts it
+    //! to a failed outcome. Any other exception, such as a lack of memory, is a
+    //! failure of the machine and ends the job.
     virtual Outcome evaluate(const Task& task, const Genome& genome) = 0;
 };
 

@@ -13,34 +13,37 @@
 
 namespace ideotype {
 
-//! The bytes of a message between the ranks of a job. All ranks run the same
-//! program on the same kind of machine, so numbers are sent as they are in
-//! memory.
+//! The bytes of a message between the ranks of a job. Numbers are sent as they
+//! are in memory, since all ranks run the same program on the same kind of
+//! machine.
 using Bytes = std::vector<std::byte>;
 
-//! The outcome of a task on its way to rank 0.
+//! The outcome of a task, as it is sent to rank 0.
 struct Reply {
     Task task;
     Outcome outcome;
 };
 
-//! Largest number of bytes of a failure's reason; longer reasons are cut.
+//! Largest number of bytes in the reason of a failure; longer reasons are cut.
 inline constexpr std::size_t reply_message_capacity = 160;
 
 //! Encodes work as a header of fixed size and the genome.
 Bytes encode_work(const Work& work);
 
-//! Decodes work. @throws Error if the bytes are not work.
+//! Decodes work.
+//! @throws Error if the bytes do not encode work.
 Work decode_work(std::span<const std::byte> bytes);
 
 //! Encodes a reply as a header of fixed size, followed by all numbers of the
-//! outcome in their order.
+//! outcome in order.
 Bytes encode_reply(const Reply& reply);
 
-//! Decodes the task of a reply. @throws Error if the bytes are not a reply.
+//! Decodes the task of a reply.
+//! @throws Error if the bytes do not encode a reply.
 Task decode_task(std::span<const std::byte> bytes);
 
-//! Decodes a reply. @throws Error if the bytes are not a reply of this schema.
+//! Decodes a reply.
+//! @throws Error if the bytes do not encode a reply of this schema.
 Reply decode_reply(std::span<const std::byte> bytes,
                    const OutcomeSchema& schema);
 
@@ -63,16 +66,17 @@ class Mailbox {
 
     void post(int rank, Tag tag, Bytes bytes);
 
-    //! Sleeps until a message of any rank arrives and returns it. @throws Error
-    //! for an unknown tag.
+    //! Sleeps until a message from any rank arrives, and returns it.
+    //! @throws Error if the tag is unknown.
     Envelope wait();
 
-    //! Returns the next message of any rank, or nothing if none arrives within
-    //! a time [s].
+    //! Returns the next message from any rank, or nothing if none arrives
+    //! within a number of seconds.
     std::optional<Envelope> wait(double seconds);
 
   private:
-    //! Messages being sent; MPI reads their bytes until they have been sent.
+    //! Messages being sent. MPI reads their bytes until the transfer is
+    //! complete.
     struct Posted;
     const Session& session_;
     std::unique_ptr<Posted> posted_;

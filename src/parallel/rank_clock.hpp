@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! The clock of the ranks of a job; simulated machines replace it.
+//! The clock that ranks of a job use. Tests replace it to simulate machines.
 class RankClock {
   public:
     virtual ~RankClock() = default;
@@ -16,7 +16,7 @@ class RankClock {
     //! Returns the time since a fixed moment [s]; it never decreases.
     virtual double now() const = 0;
 
-    //! Sleeps for about a time [s].
+    //! Sleeps for about a number of seconds.
     virtual void nap(double seconds) const = 0;
 };
 
@@ -36,9 +36,9 @@ class MachineClock : public RankClock {
 
 inline const MachineClock machine_clock;
 
-//! The pauses between checks while waiting for MPI, whose blocking calls would
-//! occupy a core. Pauses grow with the time waited, so that the end is noticed
-//! within a few percent of the duration of the wait.
+//! The pauses between checks while waiting for MPI; blocking calls of MPI would
+//! occupy a core. Pauses grow with the time waited so far, so that the end of
+//! the wait is noticed with a delay of a few percent.
 class Backoff {
   public:
     //! Returns the next pause [s].

@@ -39,8 +39,8 @@ void wait_for(MPI_Request request, const RankClock& clock) {
     }
 }
 
-//! Reports that MPI has failed and ends the job, since MPI's own message may be
-//! lost.
+//! Reports that MPI has failed and ends the job. It does not rely on MPI's own
+//! message, which may be lost.
 void end_job(MPI_Comm* /*ranks*/, int* failure, ...) {
     std::array<char, MPI_MAX_ERROR_STRING> reason{};
     int length = 0;
@@ -206,7 +206,8 @@ struct Mailbox::Posted {
         Bytes bytes;
         MPI_Request request = MPI_REQUEST_NULL;
     };
-    // A list keeps the addresses of the bytes, which MPI uses, constant.
+    // A list does not move its elements: the addresses that MPI uses stay
+    // valid.
     std::list<Sending> sendings;
 
     void remove_sent() {

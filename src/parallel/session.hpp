@@ -13,7 +13,8 @@ namespace ideotype {
 class Mailbox;
 
 //! Uses MPI, with or without mpirun, during the life of this object. Create it
-//! after the StopFlag: MPI then does not replace its handlers.
+//! after the StopFlag, so that MPI does not replace the signal handlers of the
+//! flag.
 class Session {
   public:
     //! Makes a session of one rank without MPI.
@@ -26,26 +27,29 @@ class Session {
     Session(Session&& other) noexcept;
     Session& operator=(Session&&) = delete;
 
-    //! Makes a session of the ranks with the same part, numbered from 0 in
-    //! their present order. Collective. This session must outlive the new one.
+    //! Makes a session of all ranks that pass the same part. Their new numbers
+    //! begin at 0 and preserve the order. Collective. This session must outlive
+    //! the new one.
     Session split(int part) const;
 
     int rank() const;
 
-    //! Returns the number of a rank of this session in the whole job.
+    //! Returns the number in the whole job of a rank of this session.
     int rank_in_job(int rank) const;
 
     int size() const;
     const RankClock& clock() const { return clock_; }
 
-    //! Returns rank 0's text on all ranks. Collective; sleeps while waiting.
+    //! Returns the text of rank 0 on all ranks. Collective; sleeps while
+    //! waiting.
     std::string broadcast(const std::string& text) const;
 
-    //! Returns the texts of all ranks in order on rank 0, and nothing on other
-    //! ranks. Collective; sleeps while waiting.
+    //! Returns the texts of all ranks, in order, on rank 0, and nothing on
+    //! other ranks. Collective; sleeps while waiting.
     std::vector<std::string> gather(const std::string& text) const;
 
-    //! Returns the largest value of all ranks on all ranks. Collective.
+    //! Returns the largest value that any rank passes, on all ranks.
+    //! Collective.
     int largest(int value) const;
 
     //! Ends all ranks at once with an exit code.

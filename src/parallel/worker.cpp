@@ -23,8 +23,8 @@ Outcome make_unevaluated(const std::string& reason) {
     return outcome;
 }
 
-//! Evaluates, and converts errors: those of the plant to a failed outcome, all
-//! others to an unevaluated one.
+//! Evaluates work and catches errors. An error of the plant becomes a failed
+//! outcome, any other error an unevaluated one.
 Outcome evaluate_caught(Evaluator& evaluator, const Work& work,
                         const OutcomeSchema& schema) {
     try {
@@ -39,7 +39,7 @@ Outcome evaluate_caught(Evaluator& evaluator, const Work& work,
     }
 }
 
-//! Reads a message of rank 0: returns work, or nothing on dismissal.
+//! Reads a message from rank 0: returns work, or nothing on dismissal.
 std::optional<Work> read_work(const Envelope& letter, const Session& session) {
     if (letter.tag == Tag::stop) return std::nullopt;
     if (letter.tag != Tag::work)
@@ -61,7 +61,7 @@ void serve_alone(const Session& session, Evaluator& evaluator) {
                                                        session.clock())}));
 }
 
-//! Serves with several threads, while the calling thread handles messages.
+//! Evaluates with several threads, while the calling thread exchanges messages.
 void serve_by_threads(const Session& session, const Evaluators& evaluators) {
     Mailbox mailbox(session);
     const auto threads = make_thread_workers(session, evaluators);

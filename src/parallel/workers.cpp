@@ -76,7 +76,7 @@ class ThreadWorkers : public Workers {
     }
 
   private:
-    //! The slot in which a thread waits for work.
+    //! A place where one thread waits for work.
     struct Seat {
         std::optional<Work> work;
         std::condition_variable called;
@@ -87,7 +87,8 @@ class ThreadWorkers : public Workers {
         for (std::thread& thread : threads_) thread.join();
     }
 
-    //! Runs a thread: waits for work and evaluates it until it is dismissed.
+    //! The function of a thread: waits for work and evaluates it, until
+    //! dismissal.
     void evaluate(int worker) {
         const auto index = static_cast<std::size_t>(worker);
         Seat& seat = seats_[index];
@@ -108,7 +109,7 @@ class ThreadWorkers : public Workers {
     const Evaluators evaluators_;
     const int first_;  //!< number of the first worker in the job
     const RankClock& clock_;
-    std::mutex mutex_;  //!< mutex of all members below but the threads
+    std::mutex mutex_;  //!< protects all members below except the threads
     std::deque<Seat> seats_;
     std::deque<Answer> answers_;
     std::condition_variable arrived_;
@@ -116,8 +117,8 @@ class ThreadWorkers : public Workers {
     std::vector<std::thread> threads_;
 };
 
-//! The workers of all ranks: those of this rank come first, then those of other
-//! ranks. Each rank assigns work to its threads independently.
+//! The workers of all ranks: first those of this rank, then those of other
+//! ranks. Each rank assigns work to its threads itself.
 class RankWorkers : public Workers {
   public:
     RankWorkers(const Session& session, const Evaluators& evaluators)
@@ -206,7 +207,8 @@ class RankWorkers : public Workers {
     const Evaluators evaluators_;
     std::unique_ptr<Workers> local_;  //!< threads of this rank, if any
     Mailbox mailbox_;
-    std::vector<std::optional<Task>> tasks_;  //!< tasks of other ranks' workers
+    std::vector<std::optional<Task>>
+        tasks_;  //!< tasks of the workers on other ranks
 };
 
 }  // namespace

@@ -61,7 +61,7 @@ std::optional<Bound> find_bound(const Gene& gene, double value);
 //! The row number that means "no parent", as in the first generation.
 inline constexpr std::int64_t no_parent = -1;
 
-//! How a genome was made. The values are stored in files.
+//! The way in which a genome was made. The values are stored in files.
 enum class Origin : std::uint8_t {
     none = 0,
     baseline = 1,

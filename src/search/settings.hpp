@@ -41,7 +41,7 @@ enum class SensitivityMethod {
     morris  //!< elementary effects
 };
 
-//! How genes are grouped into factors of a sensitivity study.
+//! The grouping of genes into factors of a sensitivity study.
 enum class Grouping {
     trait,  //!< all free genes of a trait together
     gene,

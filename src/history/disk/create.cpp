@@ -26,7 +26,7 @@ constexpr auto smaller_history =
 
 void write_tables(hid_t file, const HistoryHeader& header) {
     write_header(file, header);
-    // Large tables come last, since truncation removes the end of a file.
+    // Large tables come last, since a truncated file loses its end.
     Generations::create(file, header);
     Journal::create(file);
     Columns::create(
@@ -44,11 +44,11 @@ void write_tables(hid_t file, const HistoryHeader& header) {
 }
 
 void place_objects(hid_t access) {
-    // A kill can split a write at the end of a page, but not within a number
-    // aligned to its size.
+    // A kill can split a write at the end of a memory page. It cannot split a
+    // number that is aligned to its size.
     checked(H5Pset_alignment(access, 8, 8), "align the datasets");
-    // Metadata of all datasets are at the beginning, so that a truncated file
-    // can be opened.
+    // The metadata of all datasets come first, so that a truncated file can be
+    // opened.
     checked(H5Pset_meta_block_size(access, 1 << 18), "place the descriptions");
     // References to scales are stored with small data.
     checked(H5Pset_small_data_block_size(access, 1 << 17),
@@ -69,8 +69,8 @@ Handle create_in_memory(const HistoryHeader& header) {
     return file;
 }
 
-// Returns the size of a file with a number of generations, by creating it in
-// memory.
+// Returns the size of a file with a number of generations. The file is created
+// in memory.
 std::uint64_t measure_bytes(HistoryHeader header, int generations) {
     header.generations = generations;
     const std::string action = "measure a file";
@@ -80,14 +80,15 @@ std::uint64_t measure_bytes(HistoryHeader header, int generations) {
         checked(H5Fget_file_image(file, nullptr, 0), action));
 }
 
-//! Waits until an open file is on the disk; returns 0 or an error number.
+//! Waits until the data of an open file are on the disk; returns 0 or an error
+//! number.
 int wait_for_disk(int descriptor) {
     while (fsync(descriptor) != 0)
         if (errno != EINTR) return errno;
     return 0;
 }
 
-//! Waits until a closed file or folder is on the disk.
+//! Waits until the data of a closed file or a folder are on the disk.
 void synchronize_path(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0)
@@ -103,8 +104,8 @@ void synchronize_path(const std::filesystem::path& path) {
                     path.string(), std::generic_category().message(failure)));
 }
 
-//! Renames a complete file atomically, so that one of old and new file always
-//! exists.
+//! Renames a complete file atomically, so that either the old or the new file
+//! exists at any time.
 void rename_file(const std::string& source, const std::string& target) {
     std::error_code failure;
     std::filesystem::rename(source, target, failure);
@@ -115,8 +116,8 @@ void rename_file(const std::string& source, const std::string& target) {
 }  // namespace
 
 std::uint64_t history_bytes(const HistoryHeader& header) {
-    // Every dataset is one block aligned to 8 bytes, so that the size is linear
-    // in steps of 8 generations.
+    // Every dataset is one block aligned to 8 bytes. The size of the file is
+    // therefore linear in the number of generations, in steps of 8.
     constexpr int step = 8;
     if (header.generations <= 2 * step)
         return measure_bytes(header, header.generations);
@@ -128,8 +129,8 @@ std::uint64_t history_bytes(const HistoryHeader& header) {
 
 void create_file(const std::string& path, const HistoryHeader& header,
                  const FileLock& lock) {
-    // Above this number of rows, the row numbers alone can fill a disk before
-    // space is reserved.
+    // With more rows than this, the row numbers alone could fill a disk before
+    // any space is reserved.
     constexpr int many = 1'000'000;
     if (header.rows() > many)
         require_room(path, history_bytes(header), smaller_history);

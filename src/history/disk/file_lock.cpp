@@ -26,9 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Returns a lock of a whole file. It belongs to the open file rather than to
-//! the process (open file description lock), since HDF5 opens and closes the
-//! file too.
+//! Returns a lock of a whole file. It is an open file description lock: it
+//! belongs to the open file, not to the process, because HDF5 opens and closes
+//! the same file.
 struct flock make_lock() {
     struct flock lock {};
     lock.l_type = F_WRLCK;
@@ -40,8 +40,8 @@ std::string make_path(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-//! Finds another process of this host that has the file open to write; returns
-//! 0 if none is visible.
+//! Finds another process on this host that has opened the file for writing;
+//! returns 0 if none is visible.
 long find_local_writer(int descriptor) {
     constexpr fs::perms write = fs::perms::owner_write;
     std::error_code unknown;
@@ -59,7 +59,7 @@ long find_local_writer(int descriptor) {
     return 0;
 }
 
-//! Describes the writer of a history, as far as known.
+//! Describes the process that writes a history, as far as it is known.
 std::string describe_writer(const std::string& file, int descriptor) {
     if (const long id = find_local_writer(descriptor))
         return fmt::format("process {} on {}", id, host_name());
@@ -68,7 +68,7 @@ std::string describe_writer(const std::string& file, int descriptor) {
             return fmt::format("the run that {} began at {}", last->host,
                                last->started);
     } catch (const Error&) {
-        // Without a history, opening fails.
+        // If there is no history, opening it fails.
     }
     return "another process";
 }
@@ -97,8 +97,8 @@ Attempt try_lock(int descriptor) {
         is_new ? ExitCode::refused : ExitCode::runtime);
 }
 
-//! Returns whether a file is regular and has only one name, so that no other
-//! file is overwritten.
+//! Returns whether a file is regular and has only one name. Writing to it then
+//! cannot overwrite another file.
 bool is_plain(int descriptor) {
     struct stat status {};
     return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
@@ -140,8 +140,8 @@ Writer find_writer(const std::string& path) {
     const bool is_alive = fcntl(descriptor, F_OFD_GETLK, &lock) == 0
                               ? lock.l_type != F_UNLCK
                               : find_local_writer(descriptor) != 0;
-    // HDF5 records in its superblock (version 3) that a writer has the file
-    // open.
+    // The HDF5 superblock (version 3) records that the file has been opened for
+    // writing.
     constexpr off_t flags_at = 11;
     unsigned char flags = 0;
     const bool is_open =
@@ -176,7 +176,7 @@ FileLock::FileLock(const std::string& file, std::string path, int flags)
         is_exclusive_ = attempt == Attempt::locked;
         if (attempt == Attempt::taken || (attempt == Attempt::unsupported &&
                                           find_local_writer(descriptor_) > 0)) {
-            // A killed process may need a moment to terminate.
+            // A killed process may take a moment to end.
             if (++failed < tries) {
                 close(descriptor_);
                 std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -9,29 +9,30 @@ namespace ideotype {
 bool is_at(const std::string& path, int descriptor);
 
 //! The exclusive right to write a file, among all processes on all hosts that
-//! share the file system. It is an open file description lock, which does not
-//! conflict with HDF5's locks and does not exclude readers. A killed process
-//! loses the lock.
+//! share the file system. It is an open file description lock, which neither
+//! conflicts with HDF5's locks nor excludes readers. When a process is killed,
+//! its lock is released.
 class FileLock {
   public:
-    //! Locks an existing file.
-    //! @throws InUseError that names the process with the lock. On file systems
-    //! without locks, only processes of this host are excluded.
+    //! Locks an existing file. On file systems without locks, only processes of
+    //! this host are excluded.
+    //! @throws InUseError that names the process which holds the lock.
     explicit FileLock(const std::string& file);
 
-    //! Creates and locks `<file>.new`, which the caller fills and renames;
-    //! otherwise the lock removes it. A file left by a killed process is
-    //! reused. @throws InUseError if it is locked, Error (refused) if a file of
+    //! Creates and locks `<file>.new`. The caller fills and renames it;
+    //! otherwise the lock removes it. If a killed process left such a file, it
+    //! is reused.
+    //! @throws InUseError if the file is locked, Error (refused) if a file of
     //! this name is not regular or has a second name.
     static FileLock create_new(const std::string& file);
 
-    //! Returns false where the file system has no locks.
+    //! Returns false if the file system has no locks.
     bool is_exclusive() const { return is_exclusive_; }
 
-    //! Returns whether the locked file is at this path.
+    //! Returns whether this path still leads to the locked file.
     bool locks(const std::string& path) const;
 
-    //! Returns a path to the locked file that remains valid if it is renamed.
+    //! Returns a path to the locked file that remains valid after a renaming.
     std::string open_path() const;
 
     FileLock(FileLock&& other) noexcept;

@@ -37,9 +37,9 @@ struct Length {
 };
 
 // Returns the length of a file and the length that HDF5 recorded in its
-// superblock. A truncated file opens, and reads as zeros beyond its end, so
-// only the difference of lengths reveals it. The superblock of this program has
-// version 3; that of h5repack has version 0 by default.
+// superblock. A truncated file can be opened and reads as zeros beyond its end,
+// so only the difference of lengths reveals the loss. This program writes
+// superblocks of version 3; h5repack writes version 0 by default.
 Length read_length(const std::string& path) {
     constexpr std::array<unsigned char, 8> start{0x89, 'H',  'D',  'F',
                                                  '\r', '\n', 0x1a, '\n'};
@@ -90,7 +90,7 @@ std::string read_version(const std::string& path, hid_t file) {
     return text_attribute(file, "format_version");
 }
 
-//! Returns whether h5repack has rewritten a history in chunks.
+//! Returns whether h5repack has rewritten a history with chunked datasets.
 bool is_compressed(hid_t file) {
     const std::string action = "read a layout";
     const Handle genome(H5Dopen2(file, "evaluations/genome", H5P_DEFAULT),
@@ -126,12 +126,13 @@ Handle access_properties() {
             action);
     // FileLock excludes other writers, and readers need no lock.
     checked(H5Pset_file_locking(access, false, true), action);
-    // Without this buffer every write reaches the operating system, where
-    // readers of the file see it.
+    // Without this buffer, every write reaches the operating system at once and
+    // is visible to readers of the file.
     checked(H5Pset_sieve_buf_size(access, 0), action);
-    // HDF5 rereads a block until its checksum is right, doubling the wait each
-    // time; 30 attempts wait a second for a live file. The default of 100
-    // attempts would never end for a damaged file.
+    // If the checksum of a block is wrong, HDF5 reads the block again, doubling
+    // the wait each time. With 30 attempts it waits about a second, enough for
+    // a live file; with the default of 100 it would never end for a damaged
+    // file.
     checked(H5Pset_metadata_read_attempts(access, 30), action);
     return access;
 }
@@ -143,8 +144,8 @@ Handle open_to_write(const std::string& path) {
             "h5repack has rewritten this history so that it cannot be resumed; "
             "repack it again with the option -L");
     const Handle access = access_properties();
-    // A killed writer leaves the file marked as open; this clears the mark,
-    // like h5clear.
+    // After a writer was killed, the file is still marked as open. Clear the
+    // mark, as h5clear does.
     const hbool_t yes = true;
     checked(H5Pset(access, "clear_status_flags", &yes), "clear the flags");
     Handle file(

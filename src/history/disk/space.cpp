@@ -32,7 +32,7 @@ std::uintmax_t free_bytes(const std::string& path) {
     return failure ? 0 : space.available;
 }
 
-// Returns the number of bytes, up to a size, that are holes of the file.
+// Returns how many of the first `size` bytes of a file are not yet allocated.
 std::uintmax_t missing_bytes(const struct stat& status, std::uintmax_t size) {
     const auto present = static_cast<std::uintmax_t>(status.st_blocks) * 512;
     return size - std::min(size, present);

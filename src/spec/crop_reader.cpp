@@ -47,8 +47,8 @@ void CropReader::read(const toml::table& table, const std::string& file) {
     unknown.passes_over_others = source_ == TextSource::history;
     const TableReader crop_reader(file, of_crop_, unknown),
         shared(file, problems_, unknown);
-    // Campaigns state within-line variation in [field.variation], so that the
-    // [variation] of a crop file does not change them.
+    // In campaigns, [field.variation] states the within-line variation, so that
+    // [variation] of a crop file does not change it.
     constexpr Table variation = table_of<CropSpec, &CropSpec::variation>(
         "variation", crop_variation_table);
     std::vector<std::string> tables;
@@ -61,7 +61,7 @@ void CropReader::read(const toml::table& table, const std::string& file) {
     for (const Table& each : crop_table.tables())
         crop_reader.read_table(table, each, each.name, &crop_);
     crop_reader.read_table(table, variation, variation.name, &crop_);
-    // Campaigns also have these tables.
+    // Campaigns may contain these tables too.
     for (const Table& each : crop_leaves_table.tables())
         shared.read_table(table, each, each.name, &crop_);
     note_leaves(table, file, crop_);

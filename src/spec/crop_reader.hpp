@@ -9,12 +9,12 @@
 
 namespace ideotype {
 
-//! Reads crops: from a table, or from a crop file.
+//! Reads a crop from a table or from a crop file.
 class CropReader {
   public:
     //! @param file path of the file that contains or names the crop
-    //! @param problems problems of tables that campaigns have too
-    //! @param of_crop problems of the keys of the crop
+    //! @param problems problems of tables that campaigns may contain too
+    //! @param of_crop problems of keys that only crops contain
     CropReader(const std::string& file, TextSource source, CropSpec& crop,
                const Problems& problems, const Problems& of_crop)
         : file_(file),
@@ -40,12 +40,13 @@ class CropReader {
     Problems problems_, of_crop_;
 };
 
-//! Records the file that states each key of [photosynthesis].
+//! Records which file states each key of [photosynthesis].
 void note_leaves(const toml::table& top, const std::string& file,
                  CropSpec& crop);
 
-//! Reports a CSV table of measured leaves, which `ideotype fit` turns into crop
-//! files; returns whether the name of a file is that of a CSV table.
+//! Reports an error if a file is a CSV table of measured leaves, which
+//! `ideotype fit` converts to crop files. Returns whether the file name is that
+//! of a CSV table.
 //! @param named_by key that names the file; "" if none
 bool is_table_of_leaves(const std::string& file, const std::string& named_by,
                         const Location& named_at, const Problems& problems);

@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the limits of numbers, the allowed texts or the range in words.
+//! Describes the limits, the allowed texts or the range of a key.
 std::string range_of(const Key& key) {
     Key without_unit = key;
     without_unit.values.unit = "";

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 //! Returns advice on a missing file: a file with a similar name in the same
-//! folder, or else the given text.
+//! folder or, if there is none, the given text.
 std::string remedy_for(const fs::path& missing, const std::string& otherwise) {
     std::vector<std::string> names;
     std::error_code none;

@@ -19,10 +19,10 @@
 #include "ideotype/core/enum_names.hpp"
 #include "ideotype/core/range.hpp"
 
-//! Files are described by constant tables with one line for each key: the
-//! member that stores its value, its name, range, default and meaning. Reading,
-//! canonical text, documentation and the JSON Schema are generated from these
-//! tables.
+//! Files are described by constant tables with one line for each key. The line
+//! states the member that stores the value, and the key's name, range, default
+//! and meaning. Reading, canonical text, documentation and the JSON Schema are
+//! generated from these tables.
 namespace ideotype {
 
 //! The address of an enumeration value that is written by name.
@@ -33,7 +33,7 @@ struct Choice {
 };
 
 //! The address of the value of a key, which also determines its type.
-//! std::monostate: the value is read and written by special code.
+//! std::monostate: special code reads and writes the value.
 using Target =
     std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
                  double*, std::optional<double>*, std::optional<int>*,
@@ -42,27 +42,27 @@ using Target =
                  std::vector<double>*, std::vector<std::string>*,
                  std::optional<Column>*, Choice>;
 
-//! A value without an address, which is read and written by special code.
+//! A value without an address, for which special code exists.
 struct ByHand {};
 
-//! Formats that a type alone does not determine.
+//! Formats of values that the type does not determine.
 enum class Form {
     plain,
-    name,      //!< text that may be a part of the name of a file
+    name,      //!< text that may be part of a file name
     path,      //!< path, relative to the file
     clock,     //!< local time, stored in hours
     duration,  //!< number of seconds, or text such as "1h30m"
-    source,    //!< path of a file, or its content as a table
+    source,    //!< path of a file, or the file's content as a table
     rule,      //!< text, or a table of the same name
 };
 
-//! Lists of names that the rest of a file defines.
+//! Kinds of names that other parts of a file define.
 enum class Names { none, traits, rules, organs, objectives };
 
-//! The count of a list of any length, which may also be written as one value.
+//! The count of a list of any length. A single value may replace the list.
 inline constexpr std::size_t any_count = ~std::size_t{0};
 
-//! A unit that users may give by mistake, in units of the key.
+//! A unit that users may use by mistake, expressed in the unit of the key.
 struct MistakenUnit {
     const char* name = nullptr;
     double value = 0;
@@ -72,28 +72,28 @@ struct MistakenUnit {
 struct Values {
     double lower = 0, upper = 0;  //!< limits; unlimited if equal
     const char* unit = "";        //!< unit; "": none
-    const char* type = nullptr;   //!< type in words; none: by the member
+    const char* type = nullptr;   //!< type in words; null: type of the member
     const char* range = nullptr;  //!< range in words
     Form form = Form::plain;
-    std::size_t count = 0;               //!< length of a list; 0: any
-    std::array<const char*, 4> texts{};  //!< allowed texts; none: any
+    std::size_t count = 0;               //!< length of a list; 0: any length
+    std::array<const char*, 4> texts{};  //!< allowed texts; none: any text
     std::vector<std::string> (*known)() = nullptr;  //!< allowed texts
-    Names names = Names::none;  //!< allowed texts that a file defines
-    bool is_by_leaf = false;    //!< whether a list is by leaf
-    bool is_filled = false;     //!< whether a list must have items
+    Names names = Names::none;  //!< kind of names that are allowed
+    bool is_by_leaf = false;    //!< whether a list has one value per leaf
+    bool is_filled = false;     //!< whether a list must not be empty
     std::array<MistakenUnit, 2>
-        mistaken{};  //!< units suspected in numbers above the range
+        mistaken{};  //!< units suspected if a number is above the range
 };
 
-//! The default of a key in documents.
+//! The default of a key, as documents describe it.
 struct Default {
     const char* words =
-        nullptr;               //!< default in words; null: that of the record
+        nullptr;  //!< default in words; null: default of the record
     const char* example = "";  //!< example as TOML for messages
     bool is_required = false;
 };
 
-//! Values that `fidelity` tries for an accuracy key, the most accurate last.
+//! Values of an accuracy key that `fidelity` tries, the most accurate last.
 using Trial = std::array<double, 5>;
 
 //! Returns whether a condition holds for a record.
@@ -102,8 +102,8 @@ bool holds(const void* record) {
     return condition(*static_cast<const Record*>(record));
 }
 
-//! The declaration of a key, stored in a member of a record; records are
-//! structs of any type.
+//! The declaration of a key whose value is stored in a member of a record. A
+//! record is a struct of any type.
 struct Key {
     const char* name = "";
     Values values{};
@@ -112,12 +112,13 @@ struct Key {
     //! Returns the address of the value in a record.
     Target (*place)(void* record) = nullptr;
     const void* record = nullptr;  //!< identifies the type of records
-    //! Returns the names of the values of an enumeration.
+    //! Returns the names of an enumeration's values.
     std::vector<std::string> (*enumeration)() = nullptr;
-    const char* unless = "";    //!< key of the table that makes this optional
-    const char* excludes = "";  //!< key of the table that contradicts this
-    bool is_quiet = false;      //!< whether texts omit the default
-    //! Returns whether texts include the key; null: always.
+    const char* unless = "";    //!< table that makes this key optional
+    const char* excludes = "";  //!< key of the table that excludes this key
+    bool is_quiet =
+        false;  //!< whether texts omit the key if it has its default
+    //! Returns whether texts contain the key; null: always.
     bool (*is_written)(const void* record) = nullptr;
     Trial trial{};
     bool (*has_trial)(const void* record) = nullptr;  //!< none: always
@@ -133,7 +134,7 @@ struct Key {
     constexpr Key excluding(const char* other) const {
         return with(&Key::excludes, other);
     }
-    //! Omits the default from texts.
+    //! Makes texts omit the key if it has its default.
     constexpr Key quiet() const { return with(&Key::is_quiet, true); }
     //! Writes the key only if a condition holds.
     template <class Record, bool (*condition)(const Record&)>
@@ -144,7 +145,7 @@ struct Key {
     constexpr Key trades(Trial values_to_try) const {
         return with(&Key::trial, values_to_try);
     }
-    //! Marks an accuracy key where a condition holds.
+    //! Marks an accuracy key, but only where a condition holds.
     template <class Record, bool (*condition)(const Record&)>
     constexpr Key trades(Trial values_to_try) const {
         return trades(values_to_try)
@@ -160,7 +161,8 @@ constexpr Values within(double lower, double upper, const char* unit = "") {
 constexpr Values unlimited(const char* unit) {
     return {.unit = unit};
 }
-//! A length, which users may give in centimetres or inches by mistake.
+//! A length in metres, which users may give in centimetres or inches by
+//! mistake.
 constexpr Values metres(double lower, double upper) {
     return {.lower = lower,
             .upper = upper,
@@ -172,7 +174,7 @@ constexpr Values metres_or_inches(double lower, double upper) {
     values.mistaken[1] = {"inches", 0.0254};
     return values;
 }
-//! A list of numbers, or one number.
+//! A list of numbers, or a single number.
 constexpr Values number_or_list(double lower, double upper,
                                 const char* unit = "") {
     return {.lower = lower,
@@ -189,7 +191,7 @@ constexpr Values by_leaf(double lower, double upper, const char* unit = "") {
     values.is_filled = false;
     return values;
 }
-//! A list that may also be written as its only number.
+//! A list of numbers; a single number may replace a list with one item.
 constexpr Values numbers(double lower, double upper, const char* unit = "",
                          const char* type = nullptr) {
     return {.lower = lower,
@@ -241,11 +243,12 @@ struct OwnerOf<Value Record::*const> {
 
 namespace detail {
 
-//! A variable with an address that identifies each record type.
+//! A variable for each record type, whose address identifies the type.
 template <class Record>
 inline constexpr char mark = 0;
 
-//! Returns the part of a record at a path of members and array indices.
+//! Returns the part of a record that a path of members and array indices leads
+//! to.
 template <auto First, auto... Rest>
 auto& member(auto& record) {
     auto& part = [&]() -> auto& {
@@ -327,7 +330,8 @@ std::vector<std::string> names_of_enum() {
 
 }  // namespace detail
 
-//! Declares a key of a record type.
+//! Declares a key.
+//! @tparam Record type of the record
 //! @tparam Path members and array indices that lead from the record to the
 //! value
 template <class Record, auto... Path>
@@ -352,7 +356,7 @@ constexpr Key key_of(const char* name, Values values, Default initial,
     return key;
 }
 
-//! Declares a key of the record type of the first member.
+//! Declares a key of the record type to which the first member belongs.
 template <auto First, auto... Rest>
 constexpr Key key(const char* name, Values values, Default initial,
                   const char* meaning) {
@@ -360,7 +364,7 @@ constexpr Key key(const char* name, Values values, Default initial,
     return key_of<Owner, First, Rest...>(name, values, initial, meaning);
 }
 
-//! Declares a key with the record itself as value.
+//! Declares a key whose value is the record itself.
 template <class Record>
 constexpr Key itself(const char* name, Values values, Default initial,
                      const char* meaning) {
@@ -372,35 +376,36 @@ constexpr Key itself(const char* name, Values values, Default initial,
     return key;
 }
 
-//! Names that other parts of a file define; empty: any name is valid.
+//! Names that other parts of a file define; if empty, any name is valid.
 struct KnownNames {
     std::vector<std::string> traits, rules, organs, objectives;
-    //! Whether trait sets may be empty, since components may be optimised.
+    //! Whether trait sets may be empty, because components may be optimised
+    //! instead.
     bool may_free_nothing = false;
-    //! Whether unknown keys are ignored, as in campaigns of histories of other
-    //! versions.
+    //! Whether unknown keys are ignored, as in histories that other versions
+    //! wrote.
     bool passes_over_others = false;
 };
 
 struct Table;
 
-//! The description of a table: its keys, and the tables inside it.
+//! The description of a table: its keys and the tables inside it.
 struct Description {
     std::string_view section;  //!< name in documents and messages
     const Key* first = nullptr;
     std::size_t count = 0;
     const Table* first_table = nullptr;
     std::size_t table_count = 0;
-    //! Returns a record with all defaults.
+    //! Returns a record in which all members have their defaults.
     const void* (*usual)() = nullptr;
-    bool is_of_crop = false;  //!< whether crop files have the table
-    //! The declaration of all other keys, with names that a file chooses. Null:
-    //! other keys are unknown.
+    bool is_of_crop = false;  //!< whether crop files may contain the table
+    //! The declaration shared by all other keys, whose names a file chooses.
+    //! Null: the table has no other keys.
     const Key* others = nullptr;
-    //! Returns the address of the value of such a key in a record.
+    //! Returns the address of the value of another key in a record.
     Target (*place_of_other)(void* record, const std::string& name) = nullptr;
 
-    //! Declares other keys, with values stored in a map.
+    //! Declares other keys, whose values are stored in a map.
     template <auto map>
     constexpr Description with_others(const Key& key) const {
         Description description = *this;
@@ -420,28 +425,31 @@ struct Description {
 struct Table {
     const char* name = "";
     const Description* description = nullptr;
-    const char* meaning = "";  //!< meaning of a table given as an option
+    const char* meaning =
+        "";  //!< meaning of the table as a command-line option
     std::size_t (*size)(const void* parent) = nullptr;
     void* (*at)(void* parent, std::size_t entry) = nullptr;
-    //! Resizes the list of records. Null: there is always one record.
+    //! Changes the number of records. Null: there is always one record.
     void (*resize)(void* parent, std::size_t records) = nullptr;
-    void (*clear)(void* parent) = nullptr;  //!< removes the records of a list
-    //! Returns the names that a record defines for its keys; null: those of the
-    //! file.
+    void (*clear)(void* parent) = nullptr;  //!< removes all records
+    //! Returns the names that a record defines for its keys. Null: the names
+    //! that the file defines.
     KnownNames (*names)(const void* record) = nullptr;
     bool keeps_records = false;  //!< whether reading keeps existing records
-    bool is_list = false;        //!< whether it is written as [[name]]
-    bool is_optional = false;    //!< whether it may be left out
+    bool is_list = false;        //!< whether the table is written as [[name]]
+    bool is_optional = false;    //!< whether the table may be omitted
     std::size_t most = 1000;     //!< largest number of entries
-    const char* unless = "";     //!< table that makes this optional
-    bool is_variable = false;    //!< whether searches may vary its numbers
-    //! Returns the table name of a record; null: the same for all records.
+    const char* unless = "";     //!< table that makes this table optional
+    bool is_variable =
+        false;  //!< whether searches may vary numbers of the table
+    //! Returns the name of a record's table. Null: all records use the same
+    //! name.
     const std::string& (*entry_name)(const void* record) = nullptr;
     bool (*is_entry_written)(const void* record) = nullptr;
-    //! Returns whether texts include the table; null: always.
+    //! Returns whether texts contain the table; null: always.
     bool (*is_written)(const void* parent) = nullptr;
-    //! Writes a table that is read by special code; null: its keys and tables
-    //! are written.
+    //! Returns the text of a table that special code reads. Null: the text
+    //! consists of the keys and tables.
     std::string (*text)(const void* parent, const std::string& name) = nullptr;
 
     constexpr Table with(auto Table::*member, auto value) const {
@@ -462,8 +470,8 @@ struct Table {
     constexpr Table written_if() const {
         return with(&Table::is_written, &holds<Parent, condition>);
     }
-    //! Updates records that exist when the table is read, each with names that
-    //! the record defines.
+    //! Makes reading update records that already exist. Each record defines the
+    //! names that its keys may use.
     template <class Record, auto function>
     constexpr Table completed_with() const {
         Table table = with(&Table::keeps_records, true);
@@ -472,8 +480,8 @@ struct Table {
         };
         return table;
     }
-    //! Makes each record a table with its own name, which is written if a
-    //! condition holds. Records exist before their tables are read.
+    //! Makes each record a table with a name from the record. It is written if
+    //! a condition holds. Records exist before their tables are read.
     template <auto member, auto condition>
     constexpr Table named_by() const {
         using Owner = typename OwnerOf<decltype(member)>::type;
@@ -484,7 +492,8 @@ struct Table {
         };
         return table;
     }
-    //! Writes the table with a function of a member of the parent.
+    //! Writes the table with a function, which is passed a member of the
+    //! parent.
     template <auto First, auto function>
     constexpr Table written_by() const {
         using Parent = typename OwnerOf<decltype(First)>::type;
@@ -501,7 +510,8 @@ inline std::span<const Table> Description::tables() const {
     return {first_table, table_count};
 }
 
-//! The part of a record at a path; without a path, the record.
+//! The part of a record that a path leads to; without a path, the record
+//! itself.
 template <class Record, auto... Path>
 struct Part {
     static auto& of(void* record) {
@@ -514,7 +524,7 @@ struct Part {
     static std::size_t size(const void*) { return 1; }
 };
 
-//! A part that is a list of records, each one a table.
+//! A part that is a list of records. Each of them is a table.
 template <class Record, auto... Path>
 struct ListPart : Part<Record, Path...> {
     using Part<Record, Path...>::of;
@@ -542,8 +552,9 @@ struct OptionalPart : Part<Record, Path...> {
     }
 };
 
-//! Declares a table of which a record has one, at most one (std::optional) or
-//! any number (std::vector). Without a path, its keys are stored in the parent.
+//! Declares a table. A record contains exactly one, at most one (std::optional)
+//! or any number (std::vector) of them. Without a path, the keys of the table
+//! are stored in the parent.
 template <class Parent, auto... Path>
 constexpr Table table_of(const char* name, const Description& description) {
     using One = Part<Parent, Path...>;
@@ -576,7 +587,7 @@ constexpr Table table(const char* name, const Description& description) {
     return table_of<Parent, First, Rest...>(name, description);
 }
 
-//! Describes a record type by its keys and the tables inside.
+//! Describes a record type by its keys and the tables inside it.
 template <class Record>
 constexpr Description describe(std::string_view section, const auto& keys) {
     for (const Key& each : keys)

@@ -32,7 +32,8 @@ std::optional<toml::date> date_of(const std::string& text) {
     return toml::date(date->year, date->month, date->day);
 }
 
-//! Converts given values to TOML, so that they are read like those of a file.
+//! Converts given values to TOML, so that they are read like values from a
+//! file.
 class GivenTable {
   public:
     GivenTable(const GivenKeys& given, const Problems& problems)
@@ -77,8 +78,8 @@ class GivenTable {
         toml_.insert_or_assign(table.name, std::move(values));
     }
 
-    //! Inserts a value into a table; a text is converted to the type of the
-    //! key.
+    //! Inserts a value into a table. A text is first converted to the type of
+    //! the key.
     static void put(const BoundKey& key, const GivenValue& value,
                     const Problems& problems, toml::table& table) {
         const char* const name = key.key.name;
@@ -106,7 +107,7 @@ class GivenTable {
 
     const GivenKeys& given_;
     const Problems& problems_;
-    MeshSpec types_;  //!< record from which the types of values are determined
+    MeshSpec types_;  //!< record that determines the types of values
     toml::table toml_;
 };
 

@@ -15,8 +15,9 @@ namespace ideotype {
 
 struct Description;
 
-//! The input of a study of light in a mesh: x is east, y north, z up. Every
-//! key, with its unit, range and default, is declared in spec/tables/mesh.cpp.
+//! The input for computing the light in a mesh with x east, y north and z up.
+//! Every key is declared in spec/tables/mesh.cpp, with its unit, range and
+//! default.
 struct MeshSpec {
     struct Period {
         double x, y;  //!< period along x and y [m]
@@ -24,14 +25,15 @@ struct MeshSpec {
     struct Sun {
         double elevation, azimuth;  //!< angles [deg]
     };
-    //! A field of copies of the mesh, which is one plant at the origin.
+    //! A field that consists of copies of the mesh, which is one plant at the
+    //! origin.
     struct Field {
         int rows, plants;
         double row_spacing, plant_spacing;  //!< distances [m]
     };
 
-    std::string path{};       //!< OBJ file; a mesh in memory has none
-    bool is_by_face = false;  //!< whether to report light on each face
+    std::string path{};       //!< OBJ file; empty for a mesh in memory
+    bool is_by_face = false;  //!< whether to report the light on each face
 
     std::string scene{};  //!< file of materials and components; "": none
     std::optional<Period> period{};
@@ -42,32 +44,32 @@ struct MeshSpec {
     std::optional<Sun> sun{};
     std::optional<SkyModel> sky{};
     std::optional<Site> site{};
-    Date date{0, 1, 1};  //!< date of a clear day at the site; year 0: none
-    //! PPFD on level ground above the canopy [umol m-2 s-1]; if given, all
-    //! light has this unit.
+    Date date{0, 1, 1};  //!< date of a clear day at the site; year 0: no date
+    //! PPFD on level ground above the canopy [umol m-2 s-1]. If given, all
+    //! light is reported in this unit.
     std::optional<double> beam_ppfd{}, sky_ppfd{};
-    std::string climate{};         //!< file of a season's light; "": none
+    std::string climate{};  //!< file with the light of a season; "": none
     std::string photosynthesis{};  //!< file with [photosynthesis]; "": none
     bool is_exact = false;         //!< unbiased but slow assimilation
     PlantOptics optics = usual_optics[par_band];
     double soil_albedo = usual_soil_albedo[par_band];
     double tolerance = 1e-3;
-    long long paths = 0;  //!< smallest number of paths; 0: set by the tolerance
+    long long paths = 0;  //!< smallest number of paths; 0: by tolerance
     std::uint64_t seed = 1;
 
     bool has_date() const { return date.year > 0; }
-    //! Returns whether the light is that of a mean day, not of an instant.
+    //! Returns whether the light is averaged over days, not that of an instant.
     bool has_day() const { return site || !climate.empty(); }
     bool has_ppfd() const { return beam_ppfd || sky_ppfd; }
 };
 
-//! Materials and components of a mesh, assigned by group name. The first entry
-//! with a prefix of the group name applies.
+//! Materials and components of a mesh, which apply to groups of faces by name.
+//! A group uses the first entry that contains a prefix of the group's name.
 struct MeshScene {
     struct Component {
         std::string name;
         std::vector<std::string>
-            groups;  //!< empty: groups that begin with its name
+            groups;  //!< prefixes; empty: name of the component
         std::optional<MeshLeaves> photosynthesis;
     };
 
@@ -77,15 +79,15 @@ struct MeshScene {
     std::map<std::string, double> soil_albedo;  //!< albedo in each band
 };
 
-extern const Description mesh_table;  //!< records are MeshSpec
-//! Scene files; records are MeshScene. The albedo of the soil is a number or a
+extern const Description mesh_table;  //!< describes MeshSpec
+//! Scene files, read into MeshScene. The albedo of the soil is a number or a
 //! table.
 extern const Description mesh_scene_table, mesh_soil_table;
 
-//! A value from the command line, where all values are texts, or from Python.
+//! A value from Python, or from the command line, where all values are texts.
 using GivenValue = std::variant<bool, std::int64_t, double, std::string>;
-//! Values by names of keys and tables of MeshSpec; a table has the values of
-//! its keys in order, such as {"sun", {60, 180}}.
+//! Values by the name of a key or table of MeshSpec. For a table, these are the
+//! values of its keys in order, such as {"sun", {60, 180}}.
 using GivenKeys = std::map<std::string, std::vector<GivenValue>>;
 
 //! Reads given keys as declared in mesh_table.

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t longest_name = 64;
 
-// Names use ASCII only, so that they work as file names on any system.
+// Names contain only ASCII characters, so that they work as file names on any
+// system.
 bool is_letter_or_digit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
            (c >= '0' && c <= '9');
@@ -26,11 +27,11 @@ bool is_allowed(char c) {
     return is_letter_or_digit(c) || c == '_' || c == '-';
 }
 
-//! The largest number of parts of a key; campaigns need four. The parser
-//! recurses over parts, but limits only the depth of nested values.
+//! The largest number of parts of a key; campaigns need four. The parser calls
+//! itself for each part, and limits only the depth of nested values.
 constexpr int most_parts = 8;
 
-//! Returns the end of a comment or text that begins at a position.
+//! Returns the end of the comment or string that begins at a position.
 std::size_t end_of_opaque(std::string_view text, std::size_t begin) {
     const char quote = text[begin];
     if (quote == '#') return std::min(text.find('\n', begin), text.size());
@@ -81,7 +82,7 @@ std::string line_of(const std::string& text, std::uint32_t number) {
     return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
 }
 
-//! Returns the message of the parser in the style of other messages.
+//! Returns the parser's message, in the style of other messages.
 std::string reason(const toml::parse_error& error) {
     std::string text(error.description());
     if (!text.empty()) text[0] = static_cast<char>(std::tolower(text[0]));
@@ -92,7 +93,7 @@ std::string reason(const toml::parse_error& error) {
     return text;
 }
 
-//! Returns the problem of a line, with its reason and a remedy.
+//! Describes the problem of a line, with a remedy.
 std::string problem(const toml::parse_error& error, const std::string& line) {
     const std::string why = reason(error);
     const bool is_twice = why.find("cannot redefine") != std::string::npos;
@@ -114,7 +115,7 @@ std::optional<toml::table> parsed(const std::string& text,
     }
 }
 
-//! Returns a table with the one key that a setting contains.
+//! Returns a table that contains only the key of a setting.
 std::optional<toml::table> read(const std::string& setting,
                                 const std::string& name) {
     const std::size_t end = setting.find('=');
@@ -133,8 +134,8 @@ std::optional<toml::table> read(const std::string& setting,
     return parsed(key + " = \"" + quoted + '"', name);
 }
 
-//! Inserts the value of a setting into a campaign. The parts of its key lead to
-//! the value, which is replaced as a whole.
+//! Inserts the value of a setting into a campaign. The parts of the setting's
+//! key lead to the old value, which is replaced as a whole.
 struct Replacer {
     const std::string& name;
     const Problems& problems;
@@ -149,7 +150,7 @@ struct Replacer {
             toml::table* const given = node.as_table();
             toml::table* const known =
                 given ? table_at(into[key.str()].node(), inner) : nullptr;
-            // Tables in braces are values; other tables stand for parts of a
+            // Tables in braces are values; other tables represent parts of a
             // key.
             if (known && !given->is_inline())
                 replace(*known, *given, inner);

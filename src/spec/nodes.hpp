@@ -13,7 +13,8 @@
 
 namespace ideotype {
 
-//! The prefix that marks the command line, instead of a file, as source.
+//! The prefix that marks the command line, rather than a file, as the source of
+//! a value.
 inline constexpr std::string_view command_line_mark = "--set ";
 
 //! Returns the position of a node or key in a file or on the command line.
@@ -25,7 +26,7 @@ std::string kind(const toml::node& node);
 //! Returns whether a text may be part of the name of a file on any system.
 bool is_name(const std::string& text);
 
-//! Makes a valid name from any text: other characters become _.
+//! Makes a valid name from any text: invalid characters become _.
 std::string make_name(const std::string& text);
 
 //! Parses TOML text, or reports the first syntax error.
@@ -33,7 +34,7 @@ std::optional<toml::table> parse_toml(const std::string& text,
                                       const std::string& file,
                                       const Problems& problems);
 
-//! Replaces values of a file by values from the command line, each given as
+//! Replaces values of a file by settings from the command line, such as
 //! "table.key=value". A value is read as TOML or, if it is not valid TOML, as
 //! text. A table in braces replaces the whole table. Settings are applied in
 //! order. Problems are reported at "--set table.key=value".

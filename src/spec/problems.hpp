@@ -30,11 +30,11 @@ Error wrong_usage(fmt::format_string<Args...> text, Args&&... args) {
 //! Paths of keys, relative to a table.
 using Keys = std::vector<std::string>;
 
-//! Returns the user-visible name of a key or table such as "soil_albedo": a
-//! command-line option or a Python argument.
+//! Returns the name of a key or table, such as "soil_albedo", as users know it:
+//! a command-line option or a Python argument.
 using KeyNaming = std::string (*)(const std::string& key);
 
-//! Returns the key as its name.
+//! Returns the key unchanged, for users who write keys themselves.
 inline std::string key_itself(const std::string& key) {
     return key;
 }
@@ -57,11 +57,11 @@ class Problems {
     //! Makes a collection for values that come from no file.
     explicit Problems(KeyNaming naming);
 
-    //! Returns the user-visible name of a key; nothing if it is the name in a
-    //! file.
+    //! Returns the name of a key as users know it, or nothing if they write the
+    //! key in a file.
     std::optional<std::string> name_of(const std::string& key) const;
 
-    //! Returns a view for one table; keys are then given relative to the table.
+    //! Returns a view for one table, in which keys are relative to the table.
     Problems in(const std::string& table) const;
     //! Returns a view for one entry of a list of tables.
     Problems in(const std::string& table, std::size_t entry) const;
@@ -69,7 +69,8 @@ class Problems {
     //! Records the source position of a value.
     void locate(const std::string& key, const Location& where) const;
 
-    //! Returns the source position of a value, or else of its table.
+    //! Returns the source position of a value or, if it is unknown, of its
+    //! table.
     const Location& where(const std::string& key) const;
 
     //! Excludes a value from checks against other values.
@@ -85,8 +86,7 @@ class Problems {
     Problem problem(const std::string& key, ProblemCode code,
                     const std::string& what) const;
 
-    //! Returns a problem inside a file that a value names, with the key of the
-    //! value.
+    //! Adds the key that names a file to a problem inside this file.
     Problem named_by(const std::string& key, Problem problem) const;
 
     //! Reports a problem of a value, and excludes the value from further
@@ -108,12 +108,12 @@ class Problems {
     void add(const Problem& problem) const;
 
     //! Reports only the first problem of its kind in a file, but excludes the
-    //! values of all.
+    //! values of all such problems from checks.
     void add_once(const std::string& key, const std::string& kind,
                   ProblemCode code, const std::string& what) const;
 
-    //! Reports that the first of some values breaks a rule, unless any of them
-    //! is unusable.
+    //! Reports that the first of some values breaks a rule. Does nothing if any
+    //! of the values is excluded.
     template <class Broken, class... Args>
     void rule(const Keys& keys, const Broken& is_broken,
               fmt::format_string<Args...> text, Args&&... args) const {
@@ -126,12 +126,13 @@ class Problems {
         if (usable(keys) && holds(is_broken))
             add(keys.front(), code, text, std::forward<Args>(args)...);
     }
-    //! Reports the fault that a function finds in valid values; "": none.
+    //! Calls a function with valid values, and reports the fault that it
+    //! returns; "" means none.
     void rule(const Keys& keys, const std::function<std::string()>& fault,
               ProblemCode code = ProblemCode::contradiction) const;
 
-    //! Reports a broken rule with a text in which {0}, {1} ... stand for the
-    //! user-visible names of keys, and then for other values.
+    //! Reports a broken rule. In the text, {0}, {1} ... stand for the names of
+    //! keys as users know them, followed by other values.
     template <class... Args>
     void named_rule(const Keys& keys, bool is_broken, const char* text,
                     const Args&... args) const {
@@ -144,7 +145,7 @@ class Problems {
     }
 
     //! Warns that the first of some values may be wrong, unless any of them is
-    //! excluded; the value stays usable.
+    //! excluded. The value stays usable.
     template <class Doubtful, class... Args>
     void doubt(const Keys& keys, const Doubtful& is_doubtful,
                fmt::format_string<Args...> text, Args&&... args) const {
@@ -154,25 +155,26 @@ class Problems {
     }
     void warn(Problem warning) const;
 
-    //! Records a key of a history that this version lacks.
+    //! Records a key of a history that this version does not know.
     void pass_over(const std::string& key) const;
     const std::set<std::string>& passed_over() const;
 
-    //! Throws all problems, if there are any.
-    //! @throws InputError with the problems of each file by position, files in
-    //! the order in which they were opened.
+    //! Throws if any problem has been reported.
+    //! @throws InputError with the problems of each file by position. Files are
+    //! listed in the order in which they were opened.
     void throw_if_any() const;
 
-    //! Throws all problems of values that come from no file, if there are any.
+    //! Throws if any problem has been reported for a value that comes from no
+    //! file.
     //! @throws Error of wrong usage
     void throw_wrong_usage() const;
 
-    //! Returns the warnings in the order of files and lines.
+    //! Returns the warnings, sorted by file and line.
     std::vector<Problem> warnings() const;
     std::vector<Problem> sorted(std::vector<Problem> problems) const;
 
-    //! Records that a file is opened. Problems are listed in the order in which
-    //! files were opened.
+    //! Records that a file was opened. Problems are listed in the order in
+    //! which files were opened.
     void open(const std::string& file) const;
 
   private:
@@ -186,7 +188,8 @@ class Problems {
             return condition;
     }
 
-    //! Returns the path of a key as users write it, without indices of entries.
+    //! Returns the path of a key without indices of list entries, as users
+    //! write it.
     std::string written(const std::string& key) const;
 
     std::shared_ptr<Collected> all_;

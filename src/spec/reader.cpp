@@ -18,7 +18,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether a table is a crop file: it has leaves and no site.
+//! Returns whether a file is a crop file: it describes leaves but no site.
 bool is_plant(const toml::table& top) {
     return top.contains("leaf") && !top.contains("site");
 }
@@ -27,8 +27,8 @@ std::string month_and_day(const Date& date) {
     return fmt::format("{:02}{:02}", date.month, date.day);
 }
 
-//! Sorts the traits of a set in the order of the crop file, since their order
-//! in a campaign has no meaning.
+//! Sorts the traits of a set as in the crop file, since their order in a
+//! campaign has no meaning.
 void sort_traits(const CropSpec& crop, TraitSet& free) {
     std::ranges::sort(free, {}, [&](const std::string& name) {
         return std::ranges::find(crop.traits, name, [](const TraitEntry& each) {
@@ -37,9 +37,9 @@ void sort_traits(const CropSpec& crop, TraitSet& free) {
     });
 }
 
-//! Removes leaf parameters of the crop that a campaign replaces: all of them if
-//! it names another model, and both `amax` and `rate_2000`, which follow from
-//! each other, if it states either.
+//! Removes leaf parameters of the crop that a campaign replaces. If the
+//! campaign names another model, all are removed. If it states `amax` or
+//! `rate_2000`, both are removed, since each follows from the other.
 //! @param leaves table [photosynthesis] of the campaign
 void drop_replaced_numbers(const toml::table& leaves, CropSpec& crop) {
     PhotosynthesisSpec& table = crop.photosynthesis;
@@ -71,8 +71,8 @@ std::vector<std::string> objectives_of(const Spec& spec) {
     return names;
 }
 
-//! Reads a campaign: first its crops, since other tables refer to their traits
-//! and organs, then its own tables.
+//! Reads a campaign. Crops are read first, since other tables refer to their
+//! traits and organs.
 class SpecReader {
   public:
     SpecReader(const std::string& file, TextSource source, Spec& spec,
@@ -93,8 +93,9 @@ class SpecReader {
     }
 
   private:
-    //! Reads the crop of a node, and initialises own bounds of its traits.
-    //! @param bounds node of its bounds, if there is one
+    //! Reads a crop from a node, and initialises the campaign's own bounds of
+    //! its traits.
+    //! @param bounds node of the bounds, if there is one
     void read_crop(const toml::node* crop, const toml::node* bounds,
                    const std::string& key, CropSpec& into,
                    const Problems& of_tables, const Problems& of_crop) {
@@ -112,7 +113,7 @@ class SpecReader {
             into.rule = *rule;
     }
 
-    //! Reads a table of own bounds.
+    //! Reads a table of bounds that the campaign itself states.
     //! @param parent name of the table that contains it
     void read_own_bounds(const toml::table& table, const std::string& parent,
                          CropSpec& crop, const Problems& problems) {
@@ -152,7 +153,8 @@ class SpecReader {
         }
     }
 
-    //! Reads the tables of the campaign, with the names that its crops define.
+    //! Reads the tables of the campaign, which may use names that its crops
+    //! define.
     void read_tables(const toml::table& top) {
         CropSpec& crop = spec_.plant.crop;
         if (const toml::table* const leaves = top["photosynthesis"].as_table())
@@ -203,10 +205,10 @@ class SpecReader {
         chosen = organ_names(plant);
     }
 
-    //! Fills in the default accuracy, as recommended by `fidelity`.
+    //! Sets missing accuracy keys to the values that `fidelity` recommends.
     void complete_light() {
         LightSpec& light = spec_.light;
-        // If paths are set but no tolerance, all paths are traced.
+        // If only the number of paths is set, all paths are traced.
         if (!light.tolerance) light.tolerance = light.paths ? 0 : 0.005;
         if (!light.paths) light.paths = 16384;
         const bool has_climates = !spec_.climates.empty();
@@ -278,7 +280,7 @@ Spec read_spec(const std::string& text, const std::string& file,
     auto table = parse_toml(text, file, problems);
     if (!table) return spec;
     apply_settings(settings, *table, problems);
-    // Resolved campaigns have [sensitivity] only if they are sensitivity
+    // Resolved campaigns contain [sensitivity] only if they are sensitivity
     // studies.
     spec.is_study =
         source == TextSource::file ? is_study : table->contains("sensitivity");

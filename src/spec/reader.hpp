@@ -11,23 +11,23 @@
 
 namespace ideotype {
 
-//! The kinds of text from which a campaign is read.
+//! The kinds of campaign texts.
 enum class TextSource {
-    file,      //!< text as users write it, which may name files
-    resolved,  //!< canonical text, without files
-    history,   //!< canonical text of a history, perhaps of another version
+    file,      //!< text that users write; it may name files
+    resolved,  //!< canonical text, which names no files
+    history,   //!< canonical text in a history, perhaps of another version
 };
 
-//! Reads the text of a campaign and the crop files that it names. Values are
-//! checked one by one, not against each other.
+//! Reads the text of a campaign and the crop files that it names. Each value is
+//! checked alone, not against other values.
 //! @param settings settings from the command line, see apply_settings()
-//! @param is_study whether a sensitivity study is wanted; resolved texts state
-//! it themselves
+//! @param is_study whether a sensitivity study is requested; ignored for
+//! resolved texts, which state this themselves
 Spec read_spec(const std::string& text, const std::string& file,
                TextSource source, const std::vector<std::string>& settings,
                bool is_study, const Problems& problems);
 
-//! Reads a resolved text; keys that this version lacks are ignored.
+//! Reads a resolved text. Keys that this version does not know are ignored.
 Spec read_resolved(const std::string& text);
 
 //! Returns a warning about the keys in Spec::passed_over.

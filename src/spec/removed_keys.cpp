@@ -10,7 +10,8 @@ namespace ideotype {
 
 namespace {
 
-//! Keys up to version 0.3.1 and their defaults, by the ends of their names.
+//! Keys that existed up to version 0.3.1, by the ends of their names, with
+//! their defaults.
 constexpr std::pair<const char*, std::variant<double, std::string_view>>
     removed_keys[] = {{"stalk.leaf_base", "surface"},
                       {"search.crossover_probability", 0.9},

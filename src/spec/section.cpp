@@ -10,7 +10,7 @@ namespace ideotype {
 
 KnownNames names_of(const CropSpec& crop) {
     KnownNames known;
-    // The traits of a crop that could not be read are unknown.
+    // If the crop could not be read, its traits are unknown.
     if (crop.is_known)
         for (const TraitEntry& each : crop.traits)
             known.traits.push_back(each.trait.name);

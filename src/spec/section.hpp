@@ -12,7 +12,7 @@
 
 namespace ideotype {
 
-//! A key and the address of its value in a record.
+//! A key, with the address of its value in a record.
 struct BoundKey {
     const Key& key;
     Target value;
@@ -23,8 +23,8 @@ struct Section {
     std::string name;  //!< name for messages, such as "field.variation"
     std::span<const Key> keys;
     void* record = nullptr;
-    //! Distance between the records of consecutive keys [bytes]; 0: all keys
-    //! belong to one record.
+    //! Distance between the values of consecutive keys [bytes] if each key
+    //! belongs to another record; 0 if all keys belong to one record.
     std::size_t stride = 0;
 
     BoundKey operator[](std::size_t key) const {
@@ -36,21 +36,21 @@ struct Section {
 //! Returns the names that a crop defines.
 KnownNames names_of(const CropSpec& crop);
 
-//! Returns the texts that a key allows; none: any.
+//! Returns the texts that a key allows; none if it allows any text.
 std::vector<std::string> allowed_texts(const Key& key,
                                        const KnownNames& known = {});
 
 //! Returns whether a key must be given.
 bool is_required(const Key& key, const KnownNames& known);
 
-//! Returns the numbers of a key; nothing if its value is not numeric.
+//! Returns the value of a key as numbers, or nothing if it is not numeric.
 std::optional<std::vector<double>> numbers_of(const BoundKey& key);
 
-//! Returns the fault of a number as the value of a key, or "" if it has none.
+//! Describes the fault of a number as the value of a key; "" if it is valid.
 std::string fault_of(double value, const std::string& section, const Key& key);
 
-//! Returns the keys of own bounds of a crop: one for each trait, with the range
-//! of its measure. Key names refer to the traits, which must outlive the keys.
+//! Returns the keys of a crop's own bounds, one for each trait, with the range
+//! of its measure. The keys refer to the traits, which must outlive them.
 std::vector<Key> own_bounds_keys(const CropSpec& crop);
 
 }  // namespace ideotype

@@ -36,7 +36,7 @@ std::vector<std::string> bands_of(const std::vector<MaterialSpec>& materials) {
         for (const Waveband& band : wavebands)
             if (!material.in(band.name).empty()) names.insert(band.name);
     }
-    // Assimilation is computed from the first band.
+    // PAR comes first, since assimilation is computed from the first band.
     std::vector<std::string> sorted(names.begin(), names.end());
     std::stable_partition(
         sorted.begin(), sorted.end(),
@@ -45,12 +45,12 @@ std::vector<std::string> bands_of(const std::vector<MaterialSpec>& materials) {
 }
 
 CropSpec::CropSpec() {
-    // The controls are a least-squares fit of a width profile with a maximum of
-    // 1 and an area of 0.7455 length x width.
+    // These controls are a least-squares fit of a width profile with a maximum
+    // of 1 and an area of 0.7455 length x width.
     baseline.blade.width_controls = {0.28,     0.885870, 0.895017,
                                      1.149943, 0.379696, 0.0};
-    // A crop file without traits has the traits and bounds of the study
-    // arXiv:2512.06064; the range of the insertion angle and the rule
+    // A crop file without traits uses the traits and bounds of the study
+    // arXiv:2512.06064. The range of the insertion angle and the rule
     // "biological" are estimates of this project.
     traits = {leaf_trait("length", "m", {0.40, 1.10}),
               leaf_trait("width", "m", {0.05, 0.14}),

@@ -35,7 +35,7 @@ inline constexpr std::array enum_names<Boundary>{
     EnumName{"periodic", Boundary::periodic},
     EnumName{"isolated", Boundary::isolated}};
 
-//! A named entry of an axis of the sweep.
+//! A named entry of an axis.
 template <class Value>
 struct Named {
     std::string name;
@@ -44,9 +44,9 @@ struct Named {
 
 //! The weather of a period from a file.
 struct Climate {
-    std::string file;  //!< path as written; "": each site names a file
+    std::string file;  //!< path as written; "": each site names its own file
     Period period;
-    std::string stamp;  //!< time stamp; "": as in the format
+    std::string stamp;  //!< meaning of time stamps; "": default of the format
     ColumnMap columns;
     std::optional<double> wind_height;  //!< height above the ground [m]
     std::optional<double> co2;          //!< CO2 of the air [umol mol-1]
@@ -59,11 +59,11 @@ struct Climate {
 struct SiteWeather {
     std::string site, climate;  //!< names of the site and the climate
     std::string sha256;         //!< SHA-256 of the weather file
-    double utc_offset = 0;      //!< time of dates and hours, from UTC [h]
+    double utc_offset = 0;      //!< offset of the dates and hours from UTC [h]
     std::vector<Date> dates;
     std::vector<double> hours;  //!< middle of each step of a day [h]
-    //! Light on a horizontal plane, date by date and hour by hour [W m-2];
-    //! empty in wavebands that the campaign does not follow.
+    //! Light on a horizontal plane, date by date and hour by hour [W m-2].
+    //! Empty in wavebands that the campaign does not trace.
     ByBand<std::vector<double>> beam, diffuse;
     //! Air temperature [deg C], relative humidity (0 to 1), wind [m s-1],
     //! pressure [kPa] and longwave radiation of the sky [W m-2]; may be empty.
@@ -78,7 +78,8 @@ using NamedClimate = Named<Climate>;
 using NamedSpacing = Named<Spacing>;
 using NamedTraits = Named<TraitSet>;
 
-//! A trait of a crop file, which acts on the measures of one of these lists.
+//! A trait of a crop file. One of these lists names the measures that it
+//! changes.
 struct TraitEntry {
     Trait trait;
     std::vector<std::string> sets, scales, shifts;
@@ -89,8 +90,8 @@ struct BoundsEntry {
     std::string rule;
     std::string trait;
     Range range;
-    double change = 0;     //!< largest relative change of the baseline; 0: any
-    bool is_bred = false;  //!< whether the rule alone frees the trait
+    double change = 0;  //!< largest relative change from the baseline; 0: any
+    bool is_bred = false;  //!< whether the rule alone makes the trait free
 };
 
 //! Models of leaves, in the order of LeafRates.
@@ -101,16 +102,16 @@ inline constexpr std::array enum_names<LeafModel>{
     EnumName{"collatz", LeafModel::collatz},
     EnumName{"farquhar", LeafModel::farquhar}};
 
-//! The table [photosynthesis]. A list has one value for all leaves, or one per
-//! leaf, the lowest first; empty: the default of the model.
+//! The table [photosynthesis]. A list contains one value for all leaves, or one
+//! per leaf, the lowest first. Empty lists use the default of the model.
 struct PhotosynthesisSpec {
     LeafModel model = LeafModel::hyperbola;
     std::vector<double> theta, rd;  //!< parameters of all models
     std::vector<double> phi, amax;  //!< parameters of the hyperbola
-    //! Gross assimilation at an absorbed PPFD of 2000, instead of amax.
+    //! Gross assimilation at an absorbed PPFD of 2000, given instead of amax.
     std::vector<double> rate_2000;
     std::vector<double> vmax, alpha, beta, k;  //!< parameters of Collatz
-    //! Parameters of Farquhar, with beta.
+    //! Parameters of the model of Farquhar, in addition to beta.
     std::vector<double> vcmax, jmax, tpu, g1;
     CapacityProfile profile = CapacityProfile::exponential;
     double kn = CanopyNitrogen{}.kn;
@@ -121,15 +122,15 @@ struct PhotosynthesisSpec {
     double leaf_mass = 45;  //!< dry mass [g m-2 of leaf]
 };
 
-//! The table [photosynthesis] of meshes: unless stated, capacity is uniform
-//! with depth and does not follow the weather.
+//! The table [photosynthesis] for meshes. By default, capacity is uniform with
+//! depth and does not depend on the weather.
 struct MeshLeaves : PhotosynthesisSpec {
     MeshLeaves() {
         profile = CapacityProfile::none;
         follows_weather = false;
     }
 };
-// Tables treat its records as those of its base class.
+// Tables access MeshLeaves records as records of the base class.
 static_assert(std::is_standard_layout_v<MeshLeaves>);
 
 //! The table [water].
@@ -140,7 +141,7 @@ struct WaterSpec {
     double limit = 0;  //!< largest transpiration over all days [mm]; 0: any
 };
 
-//! A crop file, and the bounds of its traits in a campaign.
+//! A crop file, and the bounds of its traits that the campaign sets.
 struct CropSpec {
     //! Fills in the width profile of the baseline and the default traits.
     CropSpec();
@@ -151,24 +152,28 @@ struct CropSpec {
     std::optional<Growth> growth;
     ByBand<PlantOptics> optics = usual_optics;
     PhotosynthesisSpec photosynthesis;
-    //! The file that states each key of [photosynthesis].
+    //! The file that states each key of [photosynthesis], by key.
     std::map<std::string, std::string> leaf_files;
-    //! Within-line variation; none: the crop file has no such table.
+    //! Within-line variation; nothing if the crop file does not contain the
+    //! table.
     std::optional<CropVariation> variation;
-    //! Rule of bounds; "traits": ranges of the traits; "": own_bounds.
+    //! Name of the rule of bounds. "traits": the ranges of the traits; "":
+    //! own_bounds.
     std::string rule = "traits";
-    std::vector<Range> own_bounds;  //!< own bounds of each trait
-    bool is_known = true;           //!< whether its file was read
-    ByBand<bool> follows{true};     //!< wavebands in which light is traced
+    std::vector<Range>
+        own_bounds;              //!< bounds that the campaign states, by trait
+    bool is_known = true;        //!< whether the crop's file was read
+    ByBand<bool> follows{true};  //!< wavebands in which light is traced
 };
 
 //! The table [plant].
 struct PlantSpec {
     CropSpec crop;
-    std::vector<std::string> organs;  //!< present organs besides leaves
-    //! Development stage of plants that do not grow, from emergence (0) over
-    //! silking (1) to maturity (2). It only determines the photosynthetic
-    //! capacity of leaves, by the ageing of the crop.
+    std::vector<std::string>
+        organs;  //!< organs that are present, in addition to leaves
+    //! Development stage of plants that do not grow: 0 is emergence, 1 silking
+    //! and 2 maturity. It affects only the photosynthetic capacity of leaves,
+    //! which changes with the age of the crop.
     double stage = 1;
     Tessellation tessellation;
 };
@@ -176,30 +181,31 @@ struct PlantSpec {
 //! The surfaces of an OBJ file.
 struct MeshContent {
     std::string file;  //!< path as written; "": none
-    //! Three coordinates of each vertex [m], and four vertices of each face,
-    //! from 0.
+    //! Three coordinates of each vertex [m]; four vertex indices of each face,
+    //! counted from 0.
     std::vector<double> vertices, faces;
     std::vector<std::string> groups;  //!< names of groups
-    std::vector<double> face_groups;  //!< group of each face, from 0
+    std::vector<double>
+        face_groups;  //!< group index of each face, counted from 0
 };
 
-//! The material of the groups of a mesh: in each waveband reflectance and
-//! transmittance, or reflectance of both faces and transmittance.
+//! The material of groups of a mesh. For each waveband it contains reflectance
+//! and transmittance, or the reflectances of both faces and the transmittance.
 struct MaterialSpec {
     std::vector<std::string> groups;  //!< prefixes of group names
     ByBand<std::vector<double>> optics;
-    //! Further wavebands, which only `ideotype light` supports.
+    //! Additional wavebands, which only `ideotype light` supports.
     std::map<std::string, std::vector<double>> others{};
 
-    //! Returns the values in a waveband; empty if unknown.
+    //! Returns the optical values in a waveband; empty if they are unknown.
     std::vector<double> in(const std::string& band) const;
 };
 
-//! Returns the wavebands of any material by name, "par" first.
+//! Returns the wavebands that any material names, "par" first.
 std::vector<std::string> bands_of(const std::vector<MaterialSpec>& materials);
 
-//! The mesh of each plant of a component, which neither grows nor is optimised.
-//! Without a file the component has a crop.
+//! The mesh of each plant of a component. Such plants neither grow nor are
+//! optimised. Without a file, the component consists of a crop.
 struct ComponentMesh : MeshContent {
     std::vector<MaterialSpec> materials;
     std::optional<MeshLeaves> photosynthesis{};  //!< none: unknown
@@ -208,26 +214,26 @@ struct ComponentMesh : MeshContent {
 //! A component in addition to the main crop.
 struct ComponentSpec {
     std::string name;
-    CropSpec crop;       //!< unknown if there is a mesh
+    CropSpec crop;       //!< crop; not known if there is a mesh
     ComponentMesh mesh;  //!< mesh instead of a crop
     TraitSet free;       //!< optimised traits; empty: not optimised
     std::optional<PlantVariation> variation;
-    std::vector<double> rows;  //!< rows of the field, from 1
-    int mixed = 0;   //!< positions among plants of the main crop; 0: none
+    std::vector<double> rows;  //!< row numbers in the field, counted from 1
+    int mixed = 0;   //!< plants that replace plants of the main crop; 0: none
     int plants = 0;  //!< plants per row; 0: as in the field
-    int later = 0;   //!< delay of emergence after the crop [d]
+    int later = 0;   //!< delay of emergence after the main crop [d]
     std::optional<double> jitter{};  //!< jitter instead of the field's [deg]
 
     bool has_mesh() const { return !mesh.file.empty(); }
 };
 
-//! Rows of panels, with the optics of panels in each band.
+//! Rows of panels, with the optical properties of panels in each waveband.
 struct PanelEntry {
     PanelRows rows;
     ByBand<Lambertian> optics = std::to_array<Lambertian>({{.05, 0}, {.15, 0}});
 };
 
-//! An object in the field that repeats with the field.
+//! An object in the field; each copy of the field contains it.
 struct ObjectEntry {
     std::string name;
     MeshContent mesh;  //!< surfaces; group names are ignored
@@ -240,21 +246,21 @@ struct BandEntry {
     std::string name;
 };
 
-//! The table [light]. Missing values are derived from others.
+//! The table [light]. Missing values are derived from the given ones.
 struct LightSpec {
     std::optional<int> paths;  //!< paths per randomisation
     int randomisations = 16;
     int fields = 1;
     std::optional<double> tolerance;  //!< relative standard error; 0: none
-    //! Waveband in which the tolerance bounds the light of leaves.
+    //! Waveband in which the tolerance applies to the light absorbed by leaves.
     std::optional<std::string> band;
     SkyModel sky = SkyModel::uniform;
-    //! Number of dates of a climate with traced suns, and of stages of growing
-    //! plants; none without climates or growth.
+    //! Number of dates of a climate for which the sun is traced, and number of
+    //! stages of growing plants. Empty without climates or growth.
     std::optional<int> dates, stages;
 };
 
-//! The aggregation of values from several scenarios to one objective.
+//! How the values of several scenarios are combined into one objective.
 enum class Across { mean, worst };
 template <>
 inline constexpr std::array enum_names<Across>{
@@ -263,47 +269,47 @@ inline constexpr std::array enum_names<Across>{
 //! The table [objective].
 struct ObjectiveSpec {
     std::vector<std::string> maximised{"absorbed_par"}, minimised;
-    //! Weight of each component in the objectives, the main crop first. Empty:
-    //! objectives refer to all plants together.
+    //! Weight of each component in the objectives, the main crop first. If
+    //! empty, objectives refer to all plants together.
     std::vector<double> weights;
     //! Yield of each component as a sole crop, in the unit of the objective,
-    //! and its standard error. Empty: the objective is not a land equivalent
+    //! and its standard error. If empty, the objective is not a land equivalent
     //! ratio.
     std::vector<double> sole, sole_errors;
-    //! Axes whose entries are scenarios of one case, by table name.
+    //! Names of the axes whose entries are scenarios of one case.
     std::vector<std::string> over;
     Across across = Across::mean;
 };
 
-//! A limit on the first measure that a trait acts on, in the unit of this
+//! A limit on the first measure that a trait changes, in the unit of this
 //! measure.
 struct TraitConstraint {
     std::string trait;
-    double step = 0;          //!< largest step from leaf to leaf; 0: any
+    double step = 0;  //!< largest difference between successive leaves; 0: any
     Range total{0, 1e9};      //!< total of all leaves
-    bool is_falling = false;  //!< no leaf may exceed the leaf below
+    bool is_falling = false;  //!< no leaf may exceed the next lower leaf
     //! Largest angle between a leaf and the plane of alternating (distichous)
     //! leaves [deg]; 0: any.
     double distichous = 0;
     Range range{-1e9, 1e9};  //!< range of each leaf
-    int highest = 0;  //!< number of limited leaves, from the top down; 0: all
+    int highest = 0;  //!< number of top leaves to which it applies; 0: all
 };
 
-//! Returns whether a limit restricts anything.
+//! Returns whether a constraint restricts anything.
 bool constrains(const TraitConstraint& limit);
 
-//! The constraints on plants. A plant that violates constraints ranks below all
-//! feasible plants, by its violation().
+//! The constraints on plants. A plant that violates them ranks below all
+//! feasible plants, in the order of violation().
 struct Constraints {
     Range lai{0, 1000};  //!< one-sided leaf area index [m2 m-2]
     std::vector<TraitConstraint> traits;
 };
 
-//! Measured lines, and the allowed distance of plants from them.
+//! Measured lines, and the largest allowed distance of plants from them.
 struct Feasibility {
-    MeasuredLines lines;  //!< the lines; there are none if it has no traits
-    //! Largest distance from the mean of the lines, see LineDistance. The
-    //! relative excess over it is a violation. 0: no limit.
+    MeasuredLines lines;  //!< measured lines; none if no traits are given
+    //! Largest allowed distance from the mean of the lines, see LineDistance;
+    //! 0: no limit. The relative excess over it counts as a violation.
     double limit = 0;
 
     //! Returns the lines, if there are any.
@@ -316,7 +322,7 @@ struct Feasibility {
 struct KeyFactor {
     std::string key;  //!< key such as "optics.soil_albedo"
     Range range;
-    std::string unit{};  //!< unit; "1": none
+    std::string unit{};  //!< unit; "1": dimensionless
     double value = 0;    //!< value in the campaign, or the middle of the range
 };
 
@@ -345,62 +351,62 @@ struct SensitivitySpec {
     std::optional<int> samples;
     int levels = SensitivitySettings{}.levels;
     Grouping groups = Grouping::trait;
-    bool has_traits = true;  //!< whether free genes are factors
+    bool has_traits = true;  //!< whether free genes are factors of the study
     std::vector<KeyFactor> keys;
 };
 
-//! The table [final]: the number of best candidates that are re-evaluated at
-//! the end, and the accuracy of these evaluations.
+//! The table [final]: how many of the best candidates are re-evaluated at the
+//! end, and with which accuracy.
 struct FinalSpec {
     std::optional<int> candidates;
     int paths = 16384;
     int randomisations = 16;
 };
 
-//! Time limits of workers. They are not part of the study and may differ when a
-//! case is resumed.
+//! Time limits for workers. They are not part of the study, and may change when
+//! a case is resumed.
 struct AnswerLimits {
     double deadline = 60;  //!< shortest deadline of an evaluation [s]
 };
 
-//! The contents of a campaign file and of the files that it names. Every key,
-//! with its unit, range and default, is declared in the tables of spec/tables.
+//! The contents of a campaign file and of the files that it names. Every key is
+//! declared in spec/tables, with its unit, range and default.
 struct Spec {
     std::string name;
     std::uint64_t seed = 1;
     int replicates = 1;
     std::vector<Site> sites;
     std::vector<NamedDay> days;
-    std::vector<NamedClimate> climates;  //!< climates, instead of days
+    std::vector<NamedClimate> climates;  //!< climates, which replace days
     std::vector<NamedSpacing> spacings;
     std::vector<NamedTraits> trait_sets{{"all", {}}};
-    FieldForm field;  //!< field; each case sets its spacing
+    FieldForm field;  //!< field; each case sets the spacing
     PlantSpec plant;
     std::vector<ComponentSpec> components;
     std::vector<PanelEntry> panels;
     std::vector<ObjectEntry> objects;
-    std::vector<BandEntry> bands;  //!< wavebands in the campaign file
+    std::vector<BandEntry> bands;  //!< wavebands that the campaign file names
     ByBand<double> soil_albedo = usual_soil_albedo;
     double par_fraction = 0.45;
     LightSpec light;
     ObjectiveSpec objective;
-    bool assimilates = false;  //!< whether leaves assimilate
+    bool assimilates = false;  //!< whether assimilation is computed
     std::optional<WaterSpec> water;
     Constraints constraints;
     Feasibility feasibility;
     SearchSpec search;
     SensitivitySpec sensitivity;
-    bool is_study = false;  //!< whether it is a sensitivity study
+    bool is_study = false;  //!< whether this is a sensitivity study
     StopRules stop;
     FinalSpec final;
     AnswerLimits parallel;
     std::vector<SiteWeather> weathers;  //!< weather by site and climate
-    //! Keys in the campaign of a history that this version lacks, except those
-    //! with their former default.
+    //! Keys in the campaign of a history that this version does not know,
+    //! except keys with their former default.
     std::set<std::string> passed_over;
 };
 
-//! Returns whether light is traced in each waveband.
+//! Returns the wavebands in which light is traced.
 ByBand<bool> followed_bands(const Spec& spec);
 
 //! Returns whether plants grow in any climate.
@@ -413,25 +419,26 @@ bool is_over(const Spec& spec, const std::string& axis);
 //! assimilation of leaves.
 bool asks_for_assimilation(const Spec& spec);
 
-//! Returns the names of the rules of bounds that campaigns may choose.
+//! Returns the names of the rules of bounds from which campaigns may choose.
 std::vector<std::string> rule_names(const CropSpec& crop);
 
-//! Returns whether campaigns without trait sets free a trait.
+//! Returns whether a trait is free in campaigns without trait sets.
 bool is_bred(const CropSpec& crop, const Trait& trait);
 
-//! Returns the measures that a trait acts on: its non-empty list.
+//! Returns the measures that a trait changes: the list that is not empty.
 const std::vector<std::string>& measures_of(const TraitEntry& entry);
 
-//! Returns a trait with the measures and the effect of its non-empty list.
+//! Returns a trait, with measures and effect from the list that is not empty.
 Trait complete(const TraitEntry& entry);
 
-//! Returns the crop of a checked crop file.
+//! Makes a crop from a crop file that has been checked.
 Crop crop_of(const CropSpec& spec);
 
 //! Returns the bounds of a trait, given the value of the baseline.
 Range bounds_of(const CropSpec& crop, std::size_t trait, double baseline);
 
-//! Returns the names of all organs that plants may have besides leaves.
+//! Returns the names of all organs, in addition to leaves, that plants may
+//! have.
 std::vector<std::string> all_organs(const Plant& plant);
 
 }  // namespace ideotype

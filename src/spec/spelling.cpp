@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(0, text.find_last_not_of(spaces) + 1);
 }
 
-//! Returns a date as TOML, if it exists in the calendar.
+//! Formats a date as TOML; returns nothing if it is not in the calendar.
 std::optional<std::string> date_of(int year, int month, int day) {
     const std::chrono::year_month_day date{
         std::chrono::year{year},

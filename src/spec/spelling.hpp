@@ -6,9 +6,8 @@
 
 namespace ideotype {
 
-//! Returns the TOML value that a text probably means: 05:00:00 for "5:00",
-//! 2025-07-15 for "15.07.2025", 0.8 for ".8". Returns nothing if there is no
-//! guess.
+//! Guesses the TOML value that a text stands for: 05:00:00 for "5:00",
+//! 2025-07-15 for "15.07.2025", 0.8 for ".8". Returns nothing without a guess.
 std::optional<std::string> meant_time(const std::string& text);
 std::optional<std::string> meant_date(const std::string& text);
 std::optional<std::string> meant_number(const std::string& text);

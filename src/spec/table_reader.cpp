@@ -27,14 +27,14 @@ bool is_of_crop(const std::string& section) {
     });
 }
 
-//! Returns the user-visible name of a key of a section.
+//! Returns the name of a key as users know it.
 std::string name_in(const std::string& section, const std::string& key,
                     const Problems& problems) {
     return problems.name_of(key).value_or(
         section == spec_table.section ? key : section + '.' + key);
 }
 
-//! Returns the sections of the same file that have a key of this name.
+//! Returns the sections of the same file that contain a key of this name.
 std::vector<std::string> owners(const std::string& name,
                                 const std::string& section) {
     std::vector<std::string> places;
@@ -45,7 +45,7 @@ std::vector<std::string> owners(const std::string& name,
     return places;
 }
 
-//! Returns advice on the known key that an unknown key may mean.
+//! Returns advice on an unknown key: the known key that was probably meant.
 std::string advice(const std::string& name, const std::string& nearest,
                    const std::string& section,
                    const std::vector<std::string>& known) {
@@ -59,7 +59,7 @@ std::string advice(const std::string& name, const std::string& nearest,
     return fmt::format("use one of {}", fmt::join(known, ", "));
 }
 
-//! Returns the names of tables in a record that are not also keys.
+//! Returns the names of a record's tables that are not also names of keys.
 std::vector<std::string> names_of_tables(const Description& description,
                                          void* record) {
     std::vector<std::string> names;
@@ -74,7 +74,7 @@ std::vector<std::string> names_of_tables(const Description& description,
     return names;
 }
 
-//! Returns the names in a table that are declared by Description::others.
+//! Returns the keys of a table to which Description::others applies.
 std::vector<std::string> names_of_others(
     const toml::table& table, const Description& description,
     const std::vector<std::string>& tables) {
@@ -87,7 +87,7 @@ std::vector<std::string> names_of_others(
     return names;
 }
 
-//! Returns the name of a table inside a section for messages.
+//! Returns the full name in messages of a table inside a section.
 std::string inside(const std::string& section, const std::string& name) {
     const bool is_file =
         section == spec_table.section || section == crop_table.section;
@@ -183,7 +183,7 @@ void TableReader::read_table(const toml::table& top, const Table& table,
     if (!node) report_missing(top, table, parent);
     auto tables = node ? entries(*node, table, section)
                        : std::vector<const toml::table*>{};
-    // Checks of more entries against each other would take too long.
+    // With more entries, checking them against each other would take too long.
     if (tables.size() > table.most) {
         problems_.add_at(
             where(*tables[table.most]), table.name, ProblemCode::out_of_range,
@@ -191,7 +191,7 @@ void TableReader::read_table(const toml::table& top, const Table& table,
             tables.size(), table.name, table.most);
         tables.resize(table.most);
     }
-    // Existing records are defaults, which the file replaces.
+    // Existing records are defaults; those of the file replace them.
     if (node && table.clear && !table.keeps_records) table.clear(parent);
     if (node && table.resize) table.resize(parent, tables.size());
     for (std::size_t i = 0; i < tables.size(); ++i) {

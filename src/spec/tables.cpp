@@ -13,7 +13,7 @@ void append(std::vector<Documented>& documented, const Description& description,
             const std::string& prefix) {
     for (const Table& table : description.tables()) {
         const std::string section = prefix + table.name;
-        // Skips tables of crop files, which are documented separately, and
+        // Skip tables of crop files, which are documented separately, and
         // tables of components that other sections describe.
         if (table.description->is_of_crop ||
             std::ranges::count(documented, table.description,

@@ -4,8 +4,8 @@
 #include "spec/key.hpp"
 #include "spec/spec.hpp"
 
-//! The tables of campaigns and of the files that they name. A key is one line
-//! of a file in spec/tables.
+//! The tables of campaigns and of the files that they name. Each key is
+//! declared by one line in spec/tables.
 namespace ideotype {
 
 inline constexpr std::size_t most_components = 20;
@@ -16,13 +16,13 @@ inline constexpr std::size_t most_traits = 100;
 inline constexpr std::size_t most_entries = 10'000;
 inline constexpr std::size_t most_cases = 100'000;
 
-extern const Description spec_table;  //!< campaigns, records are Spec
-extern const Description crop_table;  //!< crop files, records are CropSpec
-//! Tables that both crop files and campaigns have, in crop files.
+extern const Description spec_table;  //!< campaigns, read into Spec
+extern const Description crop_table;  //!< crop files, read into CropSpec
+//! Tables of crop files that campaigns may contain too.
 extern const Description crop_leaves_table;
 //! The table [variation] of crop files.
 extern const Description crop_variation_table;
-//! Files of measured lines, records are MeasuredLines.
+//! Files of measured lines, read into MeasuredLines.
 extern const Description lines_table;
 
 extern const Description site_table, day_table, climate_table, weather_table;
@@ -32,14 +32,15 @@ extern const Description spacing_table, field_table, variation_table;
 extern const Description panel_table, object_table, material_table, band_table;
 extern const Description optics_table, crop_optics_table;
 extern const Description photosynthesis_table, water_table;
-//! The key TRAIT, which stands for each trait of a crop; records are Range.
+//! The key TRAIT, which stands for each trait of a crop, read into Range.
 extern const Description own_bounds_table;
 
-//! Returns a key by its name and the name of its table in documents, such as
-//! "site"; null if there is none.
+//! Finds a key by its name and the name that documents use for its table, such
+//! as "site"; returns null if there is none.
 const Key* find_key(const std::string& section, const std::string& name);
 
-//! A table with its name in documents: "site", "field.variation", "leaf".
+//! A table, with its name in documents, such as "site", "field.variation" or
+//! "leaf".
 struct Documented {
     std::string section;
     const Table* table = nullptr;  //!< null: the keys before the first table
@@ -50,8 +51,8 @@ struct Documented {
 //! @param section name of its table in documents
 std::string default_of(const std::string& section, const Key& key);
 
-//! Returns all tables of campaigns and then of crop files, in the order of
-//! their texts, each once.
+//! Returns all tables of campaigns, then those of crop files, each once and in
+//! the order in which texts contain them.
 const std::vector<Documented>& documented_tables();
 
 }  // namespace ideotype

@@ -20,13 +20,14 @@ bool has_dates(const Target& value) {
            std::holds_alternative<std::vector<Date>*>(value);
 }
 
-//! Returns a space and the unit of a key, or "" if it has none.
+//! Returns a space and the unit of a key, or "" if the key has no unit.
 std::string with_unit(const Key& key) {
     return *key.values.unit ? fmt::format(" {}", key.values.unit) : "";
 }
 
-//! Returns a value of a key for messages: its example, its value, or the number
-//! or text at the beginning of its default in words.
+//! Returns an example of a key's value for messages. It is the declared
+//! example, the current value, or the number or text with which the default in
+//! words begins.
 std::string example_of(const BoundKey& key) {
     const auto& [words, example, is_required] = key.key.initial;
     const std::string text = *example ? example : toml_text(key);
@@ -38,7 +39,8 @@ std::string example_of(const BoundKey& key) {
                                 : "");
 }
 
-//! Returns a text without quotes as TOML, if it then has the right type.
+//! Returns a quoted text without its quotes as TOML, if it then has the right
+//! type.
 std::optional<std::string> without_quotes(const toml::node& node,
                                           const BoundKey& key) {
     const auto text = node.value<std::string>();
@@ -80,7 +82,7 @@ void ValueFaults::fail_type(const toml::node& node) const {
          kind(node), key.values.type, key.name, example);
 }
 
-//! Returns the fault of a number, or "" if it has none.
+//! Describes the fault of a number; returns "" if it is valid.
 std::string ValueFaults::fault(double value) const {
     const std::string unit = with_unit(key);
     if (!std::isfinite(value))
@@ -101,7 +103,7 @@ std::string ValueFaults::fault(double value) const {
 }
 
 //! Reports a number that would be in range in another unit. It is reported once
-//! per file, since other entries most likely have the same unit.
+//! per file, since other entries probably use the same unit.
 bool ValueFaults::is_mistaken(double value) const {
     if (!(value > key.values.upper)) return false;
     std::vector<std::string> units, values;

@@ -17,13 +17,13 @@ namespace ideotype {
 namespace {
 
 //! Reads a node into the value that a target points to. Functions that return
-//! nothing have reported a fault.
+//! nothing have already reported the fault.
 struct Reader : ValueFaults {
     const toml::node& node;
-    std::vector<std::string> choices;  //!< allowed texts; none: any
+    std::vector<std::string> choices;  //!< allowed texts; none: any text
     bool is_needed = false;            //!< whether the key must be given
 
-    //! Returns a number of either TOML type, if it is in range.
+    //! Returns an integer or floating-point number, if it is in range.
     std::optional<double> number(const toml::node& source) const {
         double plain = 0;
         if (const auto* integer = source.as_integer())
@@ -90,7 +90,7 @@ struct Reader : ValueFaults {
     }
 
     void operator()(std::string* value) const {
-        // A rule in the form of a table is read separately.
+        // A rule that is given as a table is read separately.
         if (key.values.form == Form::rule && node.is_table()) return;
         if (!choices.empty()) {
             if (const auto found = one_of_choices()) *value = *found;
@@ -115,7 +115,7 @@ struct Reader : ValueFaults {
         *value = static_cast<std::uint64_t>(integer_node->get());
     }
 
-    //! Returns a whole number in the range.
+    //! Returns an integer, if it is in range.
     std::optional<std::int64_t> integer() const {
         if (!node.is_integer()) return fail_type(node), std::nullopt;
         if (!number(node)) return std::nullopt;

@@ -12,18 +12,19 @@ namespace ideotype {
 //! A numeric key of a campaign that a search or a study may vary.
 struct VariableKey {
     std::string section;  //!< section name for messages
-    std::string name;     //!< name as in --set: "optics.soil_albedo"
+    std::string name;     //!< name, as for --set: "optics.soil_albedo"
     BoundKey key;
     std::size_t tables;  //!< number of tables of this kind
-    bool is_there;       //!< whether the campaign has the table
+    bool is_there;       //!< whether the campaign contains the table
 };
 
-//! Returns the keys of tables that describe plants and their environment.
-//! @param spec campaign with the values to which the keys point
+//! Returns the numeric keys of tables that describe plants and their
+//! environment.
+//! @param spec campaign that contains the values of the keys
 std::vector<VariableKey> variable_keys(Spec& spec);
 
 //! Sets a number of a campaign.
-//! @param key name of a key in variable_keys() with one number
+//! @param key name of one of variable_keys() that has a single number
 void set_key(Spec& spec, const std::string& key, double value);
 
 //! Fills in the units and values of varied keys.

@@ -33,7 +33,7 @@ std::string listed(const auto& values, const auto& text_of) {
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-//! Returns the value that a target points to, as TOML.
+//! Formats the value that a target points to as TOML.
 struct Writer {
     const Key& key;
 
@@ -126,8 +126,8 @@ bool is_empty(const BoundKey& key) {
         key.value);
 }
 
-//! Returns a key with the address of its value in a record. The record is not
-//! changed, although targets are not const.
+//! Returns a key with the address of its value in a record. The address is not
+//! const, but the record is not changed.
 BoundKey bound_to(const Key& key, const void* record) {
     return {key, key.place(const_cast<void*>(record))};
 }
@@ -136,9 +136,9 @@ std::string text_of(const Key& key, const void* record) {
     return toml_text(bound_to(key, record));
 }
 
-//! Returns a line for each key of a record that texts include.
-//! @param is_short whether defaults of all keys are omitted, not only those of
-//! quiet keys
+//! Returns one line for each key of a record that texts contain.
+//! @param is_short whether all keys with their defaults are omitted, not only
+//! quiet ones
 std::string key_lines(const Description& description, const void* record,
                       bool is_short = false) {
     std::string text;
@@ -154,7 +154,7 @@ std::string key_lines(const Description& description, const void* record,
     return text;
 }
 
-//! Returns the tables of a record; names get a prefix.
+//! Returns the text of a record's tables; `prefix` precedes their names.
 std::string table_texts(const std::string& prefix,
                         const Description& description, const void* record);
 
@@ -200,7 +200,7 @@ std::string baseline_text(const CropSpec& crop, const std::string& name) {
 }
 
 std::string component_crop_text(const CropSpec& crop, const std::string& name) {
-    // Without a known crop the component has a mesh.
+    // A component without a known crop is a mesh.
     if (!crop.is_known) return "";
     return "\n[" + name + "]\n" + crop_text(name + '.', crop);
 }

@@ -95,7 +95,7 @@ bool is_search(const Spec& spec) {
     return !spec.is_study;
 }
 
-// A table has a line for each key.
+// Each line declares one key.
 // clang-format off
 constexpr Key top_keys[] = {
     key<&Spec::name>("name", name_text, required("\"ames\""), "name of the campaign, and of the folder of its histories"),
@@ -173,7 +173,7 @@ constexpr Key trait_constraint_keys[] = {
     key<&TraitConstraint::highest>("highest", within(0, 40), usual(), "number of leaves that the range limits, counted from the highest down; 0: all"),
 };
 
-//! The correlations of measured lines, in a record or a part of it.
+//! The correlations of measured lines, stored in a record or a part of it.
 template <auto... Path>
 constexpr Key correlations = key<Path..., &MeasuredLines::correlations>("correlations", within(-1, 1), by("none: one trait"), "correlation of each pair of traits over the lines: the first with all later ones, then the second with all later ones, ...");
 
@@ -301,7 +301,7 @@ constexpr Table constraint_tables[] = {
 constinit const Description constraints_table =
     describe<Constraints>("constraints", constraints_keys, constraint_tables);
 
-//! The tables of measured lines, in a record or a part of it.
+//! The tables of measured lines, stored in a record or a part of it.
 template <auto... Path>
 constexpr std::array lines_tables{
     table<Path..., &MeasuredLines::traits>("trait", line_trait_table)

@@ -28,7 +28,7 @@ constexpr auto measure_of = *std::ranges::find(
     measures, std::string_view(name.letters),
     [](const auto& each) -> std::string_view { return each.name; });
 
-//! Declares the key of a measure, which has unit, range and meaning.
+//! Declares the key of a measure, from which it takes unit, range and meaning.
 template <const auto& measures, Text name>
 constexpr Key measured(Default initial = usual()) {
     constexpr auto measure = measure_of<measures, name>;
@@ -76,7 +76,7 @@ bool states_leaves(const CropSpec& crop) {
     return !crop.leaf_files.empty();
 }
 
-// A table has a line for each key.
+// Each line declares one key.
 // clang-format off
 constexpr Key stalk_keys[] = {
     key<&Stalk::is_present>("present", any_value, usual(), "true if plants have stalks"),

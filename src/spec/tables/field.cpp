@@ -5,7 +5,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the keys of two lists.
+//! Joins two lists of keys.
 template <std::size_t n, std::size_t m>
 constexpr std::array<Key, n + m> join(const std::array<Key, n>& first,
                                       const std::array<Key, m>& second) {
@@ -30,7 +30,7 @@ bool has_nir(const CropSpec& crop) {
     return crop.follows[nir_band];
 }
 
-// A table has a line for each key.
+// Each line declares one key.
 // clang-format off
 constexpr Key spacing_keys[] = {
     key<&NamedSpacing::name>("name", name_text, by("row x plant in mm", "\"762x152\""), "name of the spacing, a part of the names of cases"),
@@ -49,7 +49,7 @@ constexpr Key field_keys[] = {
     key<&FieldForm::jitter>("jitter", within(0, 180, "deg"), usual(), "largest random turn of each plant, either way"),
 };
 
-//! Differences between plants, in a record or a part of it.
+//! The keys of differences between plants, stored in a record or a part of it.
 template <auto... Path>
 constexpr std::array variation_keys{
     key<Path..., &PlantVariation::length>("length", within(0, 0.3), usual(), "standard deviation of the length of each blade, relative to it"),
@@ -69,7 +69,7 @@ constexpr std::array variation_keys{
 constexpr std::array crop_jitter{
     key<&CropVariation::jitter>("jitter", within(0, 180, "deg"), usual(), "largest random turn of each plant, either way")};
 
-//! Both sides of panels or objects, in all wavebands.
+//! The keys for both sides of panels or objects, in all wavebands.
 template <auto optics>
 constexpr std::array side_keys{
     key<optics, par_band, &Lambertian::reflectance>("reflectance", within(0, 1), usual(), "reflectance of both sides, in the PAR band"),
@@ -113,7 +113,7 @@ constexpr Key band_keys[] = {
     key<&BandEntry::name>("name", texts("par", "nir"), required("\"nir\""), "additional waveband of light: near infrared is the solar radiation beyond PAR"),
 };
 
-//! Surfaces of plants in one waveband.
+//! The keys for the surfaces of plants in one waveband.
 template <auto... Optics>
 constexpr std::array surface_keys{
     key<Optics..., &PlantOptics::leaf, &Lambertian::reflectance>("leaf_reflectance", within(0, 1), usual(), "reflectance of both faces of leaves"),

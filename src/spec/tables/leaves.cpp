@@ -16,7 +16,7 @@ inline constexpr std::array enum_names<Stomata::Model>{
 
 namespace {
 
-// A table has a line for each key.
+// Each line declares one key.
 // clang-format off
 constexpr Key photosynthesis_keys[] = {
     key<&PhotosynthesisSpec::model>("model", any_value, usual(), "response of leaves to light: the non-rectangular hyperbola, the C4 model of Collatz et al. 1992, or the C3 model of Farquhar, von Caemmerer and Berry 1980"),

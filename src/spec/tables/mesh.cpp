@@ -15,7 +15,7 @@ constexpr auto leaf = &PlantOptics::leaf, stalk = &PlantOptics::stalk,
 constexpr auto reflectance = &Lambertian::reflectance,
                transmittance = &Lambertian::transmittance;
 
-// A table has a line for each key.
+// Each line declares one key.
 // clang-format off
 constexpr Key mesh_keys[] = {
     key<&MeshSpec::scene>("scene", file, none(), "FILE.toml with materials, components and wavebands by the names of groups, for several kinds of plants or near infrared; see the manual"),

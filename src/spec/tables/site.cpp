@@ -19,7 +19,7 @@ bool grows(const NamedClimate& climate) {
     return climate.value.grows();
 }
 
-// A table has a line for each key.
+// Each line declares one key.
 // clang-format off
 constexpr Key site_keys[] = {
     key<&Site::name>("name", name_text, required("\"ames\""), "name of the site, a part of the names of cases"),

@@ -11,7 +11,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns light over clear-sky light; nothing where the sun is low.
+//! Returns the ratio of light to clear-sky light, or nothing if the sun is low.
 std::optional<double> clearness_of(const TimeStep& step, const Site& site,
                                    double par_fraction) {
     if (step.sun.zenith > 75) return std::nullopt;
@@ -20,7 +20,7 @@ std::optional<double> clearness_of(const TimeStep& step, const Site& site,
     return std::clamp((step.par.beam + step.par.diffuse) / most, 0., 1.);
 }
 
-//! Fills in a value in all steps that lack it; returns whether any step did.
+//! Fills in a value in all steps that lack it. Returns whether there were any.
 template <class Estimate>
 bool fill(LightSeries& series, std::optional<double> TimeStep::*member,
           const Estimate& estimate) {
@@ -48,7 +48,7 @@ double sky_longwave(double temperature, double vapour, double clearness) {
 
 void estimate_air(LightSeries& series, const Site& site, double par_fraction) {
     std::vector<std::string>& names = series.estimated;
-    // Either all steps have a wind, or none has.
+    // Wind is known in all steps or in none.
     if (fill(series, &TimeStep::wind, [](const TimeStep&) { return 2.; })) {
         series.wind_height = 2;
         names.emplace_back("wind");

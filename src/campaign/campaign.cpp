@@ -15,9 +15,9 @@ namespace ideotype {
 
 namespace {
 
-//! Reports ranges of varied keys with ends, or a point in between, that
-//! contradict other keys. Collects ranges that exclude the value from which a
-//! search starts.
+//! Tries both ends of each varied key's range and a point in between, and
+//! reports ranges that contradict other keys. Also collects ranges that exclude
+//! the value from which a search starts.
 void try_ranges(const Spec& spec, const Problems& problems,
                 BaselineDoubts& doubts) {
     constexpr double inner = 0.382;
@@ -91,7 +91,8 @@ Campaign read_campaign_text(const std::string& text, const std::string& path,
 
 Campaign read_study(const std::string& path,
                     const std::vector<std::string>& settings) {
-    // Replicates would only repeat the study with other random numbers.
+    // Use one replicate by default: others would only repeat the study with
+    // other random numbers.
     std::vector<std::string> with_replicates{"replicates=1"};
     with_replicates.insert(with_replicates.end(), settings.begin(),
                            settings.end());
@@ -142,7 +143,8 @@ std::string crop_text(const Campaign& campaign, const Plant& baseline,
                         ? campaign.spec.plant.crop
                         : campaign.spec.components.at(component - 1).crop;
     crop.baseline = baseline;
-    // A search may turn leaves beyond 0 to 360 deg, which files do not allow.
+    // A search may turn leaves beyond 0 to 360 deg, but files must not contain
+    // such azimuths.
     for (Leaf& leaf : crop.baseline.leaves)
         if (leaf.azimuth < 0 || leaf.azimuth > 360)
             leaf.azimuth -= 360 * std::floor(leaf.azimuth / 360);

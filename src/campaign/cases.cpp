@@ -15,8 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! The number of entries of each axis by which cases differ. An axis with
-//! entries that are scenarios counts as one.
+//! The number of entries on each axis that distinguish cases. An axis whose
+//! entries are scenarios counts as one entry.
 struct Axes {
     explicit Axes(const Spec& spec)
         : sites(is_over(spec, "site") ? 1 : spec.sites.size()),
@@ -54,8 +54,8 @@ AxisEntries entries_of(const Axes& axes, std::size_t index) {
     return entry;
 }
 
-//! Returns the light series of the weather at a site: dates are those of the
-//! file, hours are in the local time of the site.
+//! Converts the weather at a site to a light series. Dates are those of the
+//! file; hours are in the local time of the site.
 LightSeries to_series(const SiteWeather& weather, const Site& here) {
     Site site = here;
     site.utc_offset = weather.utc_offset;
@@ -94,8 +94,9 @@ std::string name_of_day(const Spec& spec, std::size_t day) {
     return day < days ? spec.days[day].name : spec.climates.at(day - days).name;
 }
 
-//! Names a scenario by its axes, trait set and replicate. Axes with one entry
-//! are included, so that the name does not depend on the number of cases.
+//! Composes the name of a scenario from its axis entries, trait set and
+//! replicate. Axes with one entry are included, so that the name does not
+//! depend on the number of cases.
 void set_name(CaseName& one) {
     one.name = lower_case(fmt::format("{}_{}_{}_{}_r{}", one.site_name,
                                       one.day_name, one.spacing_name,
@@ -113,7 +114,7 @@ CaseName name_of_scenario(const Spec& spec, const AxisEntries& entry) {
     return one;
 }
 
-//! Makes a scenario with the index and the seed of its case.
+//! Makes a scenario that uses the index and the seed of its case.
 Case scenario_of(const Campaign& campaign, const AxisEntries& entry,
                  const CaseName& case_name) {
     Case one{name_of_scenario(campaign.spec, entry)};
@@ -182,7 +183,7 @@ Case Cases::at(std::size_t i) const {
     const AxisEntries entry = entries_of(axes, first_ + i);
     if (campaign.spec.objective.over.empty())
         return scenario_of(campaign, entry, named);
-    // On an axis with scenarios, the scenarios take all entries.
+    // If the entries of an axis are scenarios, the case uses all of them.
     const auto entries = [](std::size_t of_cases, std::size_t count,
                             std::size_t index) {
         std::vector<std::size_t> places(of_cases == 1 ? count : 1);

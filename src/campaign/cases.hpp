@@ -16,30 +16,31 @@ namespace ideotype {
 
 struct Campaign;
 
-//! A growing canopy at one of several moments of the season. A stage represents
-//! the hours around its moment: quantities are interpolated linearly in thermal
-//! time between stages.
+//! One of several moments of the season at which a growing canopy is evaluated.
+//! A stage represents the hours around its moment: between stages, quantities
+//! are interpolated linearly in thermal time.
 struct Stage {
     std::uint32_t number = 0;  //!< number of the stage, from 0
-    //! Thermal times of the main crop at this stage, and at the stages before
-    //! and after, if there are any [deg C d].
+    //! Thermal times of the main crop at this stage and, if they exist, at the
+    //! previous and the next stage [deg C d].
     double at = 0;
     std::optional<double> before{}, after{};
     double day = 0;  //!< days since emergence
-    //! Thermal time of each component since its emergence, at this stage and at
-    //! the stage before [deg C d]; the main crop is first.
+    //! Thermal time of each component since its emergence, the main crop first,
+    //! at this stage and at the previous one [deg C d].
     std::vector<double> ages{}, ages_before{};
-    //! Component::ear_share of each component; empty: 0.
+    //! Component::ear_share of each component; if empty, 0.
     std::vector<double> ear_shares{};
-    double share = 1;  //!< approximate share of the carbon of the season
-    std::optional<Date> date{};  //!< the only date of the stage, if given
+    double share = 1;  //!< approximate share of the season's carbon
+    std::optional<Date>
+        date{};  //!< date, if the stage represents a single date
 };
 
-//! The name of a case and of its entry on each axis of the sweep. An axis with
-//! entries that are scenarios has the entry "all".
+//! The name of a case, and of its entry on each axis. If the entries of an axis
+//! are scenarios, the entry is "all".
 struct CaseName {
     int index = 0;
-    std::string name;        //!< name, also that of the history file
+    std::string name;        //!< name, which is also that of the history file
     std::uint64_t seed = 0;  //!< derived from campaign seed and name
     std::string site_name;
     std::string day_name;  //!< name of the day or climate
@@ -48,44 +49,47 @@ struct CaseName {
     int replicate = 1;
 };
 
-//! A point of the sweep: one search with one history. Site, day and spacing are
-//! those of its first scenario.
+//! A combination of axis entries: one search with one history. Site, day and
+//! spacing are those of the first scenario.
 struct Case : CaseName {
     Site site{};
     DaySpan day{};  //!< day, if the case has no climate
     Spacing spacing{};
     TraitSet traits{};
-    //! The scenarios in which each plant is evaluated, with the random numbers
-    //! of the case. Empty: the case is its only scenario.
+    //! The scenarios in which each plant is evaluated, all with the random
+    //! numbers of the case. If empty, the case itself is the only scenario.
     std::vector<Case> scenarios{};
-    //! The case at each stage, if plants grow; scenarios have their own stages.
+    //! The case at each stage, if plants grow. If there are scenarios, they
+    //! contain the stages.
     std::vector<Case> stages{};
-    std::optional<Stage> stage{};  //!< stage, if the case is at one
+    std::optional<Stage> stage{};  //!< stage that the case represents, if any
 };
 
-//! Returns the rows of the field, from 0, with plants of the main crop.
+//! Returns the indices, from 0, of the rows that contain plants of the main
+//! crop.
 std::vector<int> bred_rows(const Campaign& campaign);
 
 //! Returns the number of plants of the main crop in the field.
 std::size_t bred_plants(const Campaign& campaign);
 
-//! Returns the scenarios of a case, at least one.
+//! Returns the scenarios of a case. There is at least one.
 std::vector<Case> scenarios(const Case& chosen);
 
 //! Returns each scenario of a case at each of its stages.
 std::vector<Case> evaluated_cases(const Case& chosen);
 
-//! Returns the light of clear days or weather for a case or its first scenario.
+//! Returns the light on clear days, or from the weather, for a case or its
+//! first scenario.
 LightSeries light_of(const Campaign& campaign, const Case& chosen);
 
 //! Returns the number of cases of a campaign.
 std::size_t count_cases(const Spec& spec);
 
-//! Makes the names of a case, which costs much less than making the case.
+//! Makes the name of a case. This takes much less time than making the case.
 CaseName case_name(const Spec& spec, std::size_t index);
 
-//! The cases of a campaign, or a range of them. Each is made on demand, since a
-//! campaign may have very many. The campaign must outlive its cases.
+//! The cases of a campaign, or a range of them. Cases are made on demand, since
+//! there may be very many. The campaign must outlive this object.
 class Cases {
   public:
     explicit Cases(const Campaign& campaign);
@@ -98,20 +102,21 @@ class Cases {
     CaseName name(std::size_t i) const;
     std::vector<CaseName> names() const;
 
-    //! Makes a case. @throws std::out_of_range if there is no such case
+    //! Makes a case.
+    //! @throws std::out_of_range if there is no such case
     Case at(std::size_t i) const;
     Case operator[](std::size_t i) const { return at(i); }
     Case front() const { return at(0); }
     Case back() const { return at(count_ - 1); }
 
-    //! Makes the case with this name; nothing if there is none.
+    //! Makes the case with a name; returns nothing if there is none.
     std::optional<Case> find(const std::string& name) const;
 
     //! Returns a range of these cases.
     Cases part(std::size_t first, std::size_t count) const;
 
-    //! Returns the range with only the case of this index.
-    //! @param path path of the campaign, for the message
+    //! Returns the range that contains only the case with this index.
+    //! @param path path of the campaign in messages
     //! @throws Error of wrong usage if there is no such case.
     Cases only(int index, const std::string& path) const;
 
@@ -138,15 +143,15 @@ class Cases {
     std::size_t first_ = 0, count_;
 };
 
-//! Returns all cases in order: sites, days or climates, spacings, trait sets,
-//! and replicates fastest. An axis with entries that are scenarios has one
-//! entry "all". A new entry of an axis does not change the name or seed of
-//! other cases.
+//! Returns all cases. Their order is by site, day or climate, spacing, trait
+//! set and replicate; replicates vary fastest. If the entries of an axis are
+//! scenarios, the axis has the single entry "all". A new entry on an axis does
+//! not change the name or seed of other cases.
 Cases cases(const Campaign& campaign);
 Cases cases(Campaign&& gone) = delete;
 
-//! Returns the case of this index.
-//! @param path path of the campaign, for the message
+//! Returns the case with this index.
+//! @param path path of the campaign in messages
 //! @throws Error of wrong usage if there is no such case.
 Case case_at(const Campaign& campaign, int index, const std::string& path);
 
@@ -156,24 +161,24 @@ const Climate& climate_of(const Campaign& campaign, const Case& chosen);
 //! A plant for each component, the main crop first.
 using Plants = std::vector<Plant>;
 
-//! Returns the trait values of the baseline, then those of optimised
+//! Returns the trait values of the baseline, followed by those of optimised
 //! components, in the order of gene_space().
 Genome baseline_genome(const Campaign& campaign);
 
-//! Returns the number of genes of a genome, without varied keys.
+//! Returns the number of genes of a genome, not counting varied keys.
 std::size_t count_genes(const Campaign& campaign);
 
-//! Returns the plants of all components that a genome describes.
+//! Makes the plants of all components from a genome.
 //! @throws Error if there are too few or too many genes
 Plants grow(const Campaign& campaign, const Genome& genome);
 
-//! Returns the genes of a case with their bounds: genes of the main crop, then
-//! those of optimised components, such as "soybean.petiole_length". Genes
-//! outside the trait set are not free.
+//! Returns the genes of a case with their bounds. Genes of the main crop come
+//! first, followed by genes of optimised components, such as
+//! "soybean.petiole_length". Genes outside the trait set are not free.
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
 
-//! Returns the genes of a case, followed by varied campaign keys. If traits are
-//! not varied, no gene of a trait is free.
+//! Returns the genes of a case, followed by the varied campaign keys. If traits
+//! are not varied, no gene of a trait is free.
 GeneSpace search_genes(const Campaign& campaign, const Case& chosen);
 
 //! Returns the pressure of the standard atmosphere at an elevation [m] in kPa.
@@ -190,42 +195,46 @@ double standard_pressure(double elevation);
 //! @param clearness s: light over that of a clear sky, 0 to 1
 double sky_longwave(double temperature, double vapour, double clearness);
 
-//! Fills in wind, pressure and longwave radiation that the weather lacks: a
-//! wind of 2 m s-1 at a height of 2 m (Allen et al. 1998, FAO 56), the standard
-//! pressure at the elevation, and sky_longwave(). At night and with a low sun
-//! the last clearness of daylight is used. Unknown temperature or humidity is
-//! that of clear days. The series then lists the estimated variables.
-//! @param par_fraction PAR over solar radiation of the clear sky
+//! Fills in wind, pressure and longwave radiation that are missing in the
+//! weather: a wind of 2 m s-1 at a height of 2 m (Allen et al. 1998, FAO 56),
+//! the standard pressure at the elevation, and sky_longwave(). At night and
+//! when the sun is low, sky_longwave() uses the last clearness of daylight.
+//! Missing temperature or humidity is replaced by that of clear days. The
+//! series then lists the estimated variables.
+//! @param par_fraction fraction of PAR in the solar radiation of a clear sky
 void estimate_air(LightSeries& series, const Site& site, double par_fraction);
 
 //! Adds stages to a case with growing plants, from the first leaf to maturity
-//! or to the end of the period. Their ages are chosen so that linear
-//! interpolation best reproduces light interception over time.
+//! or to the end of the period. Their times are chosen so that linear
+//! interpolation reproduces light interception over time as well as possible.
 void add_stages(const Campaign& campaign, Case& one);
 
 //! Returns the stage at noon of a date, or at a thermal time of the main crop
 //! [deg C d]. The stage represents the hours of that day.
-//! @param one a case without scenarios, or a single scenario of a case
-//! @throws Error of wrong usage if plants do not grow or are out of season.
+//! @param one case without scenarios, or one scenario of a case
+//! @throws Error of wrong usage if plants do not grow, or if the time is out of
+//! season.
 Stage stage_on(const Campaign& campaign, const Case& one,
                const std::variant<Date, double>& when);
 
-//! Returns the hours of a period that a stage represents, each weighted by its
-//! share in the stage.
+//! Returns the hours of a period that a stage represents. Each hour is weighted
+//! by the share of it that the stage represents.
 LightSeries at_stage(const Campaign& campaign, const Case& chosen,
                      LightSeries series);
 
-//! Returns the growth of a component (0: the main crop); null if it has none.
+//! Returns the growth of a component (0: the main crop), or null if it does not
+//! grow.
 const Growth* growth_of(const Campaign& campaign, std::size_t component);
 
 //! The thermal time of a stage [deg C d], and the approximate fraction of light
-//! that green leaves of the baseline intercept then.
+//! that the green leaves of the baseline then intercept.
 struct StageTime {
     double at, interception;
 };
 
-//! Returns the thermal times of the stages of a campaign up to a time. A single
-//! stage is in the middle of the time with the largest light interception.
+//! Returns the thermal times of a campaign's stages up to a time. A single
+//! stage is at the middle of the time during which light interception is
+//! largest.
 std::vector<StageTime> stage_times(const Campaign& campaign,
                                    double ground_per_plant, double last);
 

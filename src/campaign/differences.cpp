@@ -14,10 +14,11 @@ namespace ideotype {
 
 namespace {
 
-//! Dotted names and values in the order of a resolved text.
+//! Dotted key names and values, in the order of a resolved text.
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-//! The names of the entries of a case on each axis; scenarios may add several.
+//! The names of a case's entries on each axis. With scenarios there may be
+//! several.
 struct EntriesOfCase {
     std::set<std::string> sites, days, spacings, trait_sets;
 
@@ -30,8 +31,8 @@ struct EntriesOfCase {
         }
     }
 
-    //! Returns whether a case has a single entry of a list, which then needs no
-    //! index in messages.
+    //! Returns whether a list has a single entry for a case. Messages then omit
+    //! the index.
     bool is_single(const std::string& list) const {
         const std::pair<const char*, std::size_t> counts[] = {
             {"site", sites.size()},
@@ -45,9 +46,9 @@ struct EntriesOfCase {
     }
 };
 
-//! Returns the part of a campaign that determines the results of a case: only
-//! its entries on each axis, without the number of replicates and the limits of
-//! workers.
+//! Returns the part of a campaign that determines the results of a case. It
+//! contains only the case's entries on each axis, and neither the number of
+//! replicates nor the limits of workers.
 Spec part_of(Spec spec, const EntriesOfCase& entries) {
     const auto keep = [](auto& list, const std::set<std::string>& names) {
         std::erase_if(list, [&](const auto& entry) {
@@ -96,7 +97,7 @@ const std::string* find(const Entries& entries, const std::string& name) {
     return match == entries.end() ? nullptr : &match->second;
 }
 
-//! Returns a value, shortened if it is long, such as the weather of a season.
+//! Returns a value, shortened if it is as long as the weather of a season.
 std::string shown(const std::string& value) {
     constexpr std::size_t longest = 80;
     if (value.size() <= longest) return value;

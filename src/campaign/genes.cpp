@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-//! @param prefix prefix of gene names, which names the component
+//! @param prefix name of the component, with which gene names begin
 void append_genes(GeneSpace& genes, const Crop& crop,
                   const std::vector<Range>& bounds, const TraitSet& free,
                   const std::string& prefix) {

@@ -17,11 +17,12 @@ namespace {
 using All = PhotosynthesisSpec;
 using Numbers = std::vector<double> All::*;
 
-//! The absorbed PPFD of `rate_2000` [umol m-2 s-1].
+//! The absorbed PPFD to which `rate_2000` refers [umol m-2 s-1].
 constexpr double full_light = 2000;
 
-//! Calls a function with each parameter list of a leaf model and the member of
-//! the leaf that takes one of its values. Each model has an overload.
+//! For each parameter of a leaf model, calls a function with the list in the
+//! table and the member of the leaf that stores one of its values. Each model
+//! has an overload.
 void each_number(HyperbolaLeaf& leaf, const auto& with) {
     with(&All::phi, leaf.response.phi);
     with(&All::theta, leaf.response.theta);
@@ -65,13 +66,13 @@ const Model& model_of(const PhotosynthesisSpec& table) {
     return *std::ranges::find(models, table.model, &Model::kind);
 }
 
-//! Returns a leaf with parameters filled in by each_number().
+//! Returns a leaf in which each_number() has set the parameters.
 LeafRates filled(LeafRates leaf, const auto& with) {
     std::visit([&](auto& each) { each_number(each, with); }, leaf);
     return leaf;
 }
 
-//! The parameters that are photosynthetic capacities.
+//! The parameters that describe photosynthetic capacity.
 constexpr Numbers capacities[] = {&All::amax, &All::rate_2000, &All::vmax,
                                   &All::vcmax, &All::jmax};
 
@@ -83,8 +84,8 @@ std::vector<Key> leaf_keys() {
     return keys;
 }
 
-//! Returns the values of a key. The table is not changed, although its targets
-//! are not const.
+//! Returns the values of a key. The addresses of values are not const, but the
+//! table is not changed.
 const std::vector<double>& numbers_of(const Key& key, const All& table) {
     return *std::get<std::vector<double>*>(key.place(const_cast<All*>(&table)));
 }
@@ -120,8 +121,8 @@ std::string file_of(const CropSpec& crop, const std::string& key) {
     return found == crop.leaf_files.end() ? "" : found->second;
 }
 
-//! Returns the default value of a parameter; empty if it follows from other
-//! parameters.
+//! Returns the default value of a parameter, or nothing if it follows from
+//! other parameters.
 std::vector<double> default_of(const Model& model, const Key& key) {
     std::vector<double> values;
     filled(model.leaf, [&](Numbers numbers, auto& value) {
@@ -135,7 +136,7 @@ std::vector<double> default_of(const Model& model, const Key& key) {
     return values;
 }
 
-//! Returns `amax` of each leaf of the hyperbola model.
+//! Returns the value of `amax` for each leaf of the hyperbola model.
 std::vector<double> capacities_of(const PhotosynthesisSpec& table) {
     std::vector<double> values;
     for (const LeafRates& leaf : to_photosynthesis(table).rates)
@@ -175,7 +176,7 @@ bool is_stated(const CropSpec& crop) {
     });
 }
 
-//! Warns about a crop that uses the default photosynthesis.
+//! Warns if a crop uses the default photosynthesis.
 //! @param problems problems of the crop
 void warn_of_default(const CropSpec& crop, const Problems& problems) {
     problems.doubt(
@@ -188,8 +189,8 @@ void warn_of_default(const CropSpec& crop, const Problems& problems) {
         crop.baseline.name);
 }
 
-//! Reports rates in full light that are stated in addition to amax, or that no
-//! amax can reach.
+//! Reports full-light rates that are given together with amax (only one is
+//! allowed), or that no value of amax can reproduce.
 //! @param problems problems of the table
 void check_full_light(const PhotosynthesisSpec& table,
                       const Problems& problems) {

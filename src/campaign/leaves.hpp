@@ -14,26 +14,28 @@ namespace ideotype {
 
 class Problems;
 
-//! Returns the photosynthesis that a table describes.
-//! @param table checked table
+//! Makes the photosynthesis model that a table describes.
+//! @param table table that has been checked
 Photosynthesis to_photosynthesis(const PhotosynthesisSpec& table);
 
 //! Returns the photosynthesis parameters of each component, the main crop
-//! first, with the files that state them; empty if leaves do not assimilate.
+//! first, with the files that state them. The result is empty if assimilation
+//! is not computed.
 std::vector<StatedLeaves> stated_leaves(const Spec& spec);
 
-//! Warns about crops that use the default photosynthesis, which suits C4 plants
-//! only.
+//! Warns if crops use the default photosynthesis, which is suitable only for C4
+//! plants.
 void check_leaf_models(const Spec& spec, const Problems& problems);
 
-//! Returns the stomatal parameters of leaves. Parameters missing in the table
-//! depend on the leaf: for Medlyn the slope of C4 plants or of the Farquhar
-//! leaf, for Ball and Berry those of maize.
+//! Returns the stomatal parameters of leaves. Defaults depend on the leaf
+//! model. For the model of Medlyn, the default slope is that of C4 plants or,
+//! for Farquhar leaves, that of the Farquhar model. For the model of Ball and
+//! Berry, defaults are those of maize.
 Stomata to_stomata(const WaterSpec& table,
                    const Photosynthesis& photosynthesis);
 
-//! Reports leaves with photosynthesis that does not respond to CO2, if [water]
-//! requires such a response.
+//! Reports leaf models that do not respond to CO2, if [water] requires a
+//! response.
 void check_water(const Spec& spec, const Problems& problems);
 
 }  // namespace ideotype

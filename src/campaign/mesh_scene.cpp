@@ -66,8 +66,8 @@ void check_component(const std::vector<MeshScene::Component>& components,
     check_photosynthesis(*one.photosynthesis, 0, problems);
 }
 
-//! Reads a file that has exactly the given tables.
-//! @param tables tables, each with the path of its keys for problems
+//! Reads a file that may contain only the given tables.
+//! @param tables path of each table's keys for problems, and the table
 void read_tables(const std::string& text, const std::string& file,
                  const std::vector<std::pair<std::string, Section>>& tables,
                  const Problems& problems) {
@@ -90,7 +90,7 @@ void read_tables(const std::string& text, const std::string& file,
     }
 }
 
-//! Returns the keys of a table, with an optional name.
+//! Returns the keys of a table, among which the name is optional.
 std::vector<Key> nameless(const Description& description) {
     std::vector<Key> keys(description.keys().begin(), description.keys().end());
     keys.front().initial.is_required = false;
@@ -117,8 +117,8 @@ SeasonLight read_climate(const std::string& path) {
     spec.sites.resize(1);
     spec.climates.resize(1);
     spec.plant.crop.follows.fill(true);
-    // A climate file has no table [optics]; problems with it are reported in
-    // line 1.
+    // A climate file does not contain [optics]; report problems with it at line
+    // 1.
     problems.locate("optics.par_fraction", {path, 1, 1});
     const std::vector<Key> site = nameless(site_table),
                            climate = nameless(climate_table);

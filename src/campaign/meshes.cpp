@@ -16,7 +16,7 @@ namespace ideotype {
 namespace {
 
 //! The largest width of a face relative to the cell. Rays test the periodic
-//! images of a wide face one by one, so time is proportional to this width.
+//! images of a wide face one by one, so the time is proportional to this width.
 constexpr double most_periods = 100;
 
 //! The largest number of periods that a path may cross before it leaves the

@@ -14,19 +14,19 @@
 
 namespace ideotype {
 
-//! Returns the mesh of an object at its position in the field.
+//! Makes the mesh of an object at its position in the field.
 Mesh mesh_of(const ObjectEntry& object);
 
-//! Returns the mesh of a file. Groups with names such as "leaf07" are leaves,
-//! or all groups if there are none.
+//! Makes a mesh from the content of a file. Groups with names such as "leaf07"
+//! are leaves; if there are no such names, all groups are leaves.
 Mesh mesh_of(const MeshContent& content);
 
-//! Identifies the groups of a mesh by name: those such as "leaf07" are leaves,
-//! or all groups if there are none.
+//! Numbers the leaves of a mesh by group name. Groups with names such as
+//! "leaf07" are leaves; if there are no such names, all groups are leaves.
 void number_groups(Mesh& mesh);
 
-//! Returns the index of the first entry with a prefix of a name, or the number
-//! of entries.
+//! Returns the index of the first entry that contains a prefix of a name, or
+//! the number of entries if there is none.
 template <class Entry>
 std::size_t first_that_fits(const std::vector<Entry>& entries,
                             const std::string& name) {
@@ -39,30 +39,30 @@ std::size_t first_that_fits(const std::vector<Entry>& entries,
                                     entries.begin());
 }
 
-//! Makes a mesh part of a scene: assigns each group the first material that
-//! fits its name, and appends the materials to the wavebands of the scene.
-//! @param materials materials with values in all these wavebands
+//! Makes a mesh part of a scene: assigns to each group the first material that
+//! matches its name, and appends the materials to the wavebands of the scene.
+//! @param materials materials that have values in all these wavebands
 void add_surfaces(const std::vector<MaterialSpec>& materials, Mesh& mesh,
                   Bands& bands);
 
 //! Makes a mesh of a single material part of a scene.
 void add_surfaces(const ByBand<Lambertian>& optics, Mesh& mesh, Bands& bands);
 
-//! The depth below the soil that is attributed to rounding [m].
+//! A smaller depth below the soil is attributed to rounding [m].
 inline constexpr double least_depth = 1e-3;
 
 //! Returns the lowest and the highest vertex of all faces [m].
 Range heights_of(const Mesh& mesh);
 
 //! Returns the reason why light in copies of a mesh cannot be traced in bounded
-//! time: its size relative to the periodic cell. Returns nothing if it can be
-//! traced.
-//! @param copies copies of the mesh in the cell
+//! time: the mesh is too large relative to the periodic cell. Returns nothing
+//! if light can be traced.
+//! @param copies number of copies of the mesh in the cell
 //! @return text that follows the name of the mesh
 std::optional<std::string> excess_of(const Mesh& mesh, double copies,
                                      const Cell& cell);
 
-//! Reads the OBJ file that a key names, unless it was read already.
+//! Reads the OBJ file that a key names, unless it has already been read.
 //! @param folder file to which the path of the OBJ file is relative
 void read_content(MeshContent& content, const std::string& key,
                   const std::string& folder, const Problems& problems);

@@ -33,7 +33,8 @@ double excess(double value, const Range& allowed) {
     return sum;
 }
 
-//! Returns the difference of two values, which may be directions [deg].
+//! Returns the absolute difference of two values; for directions [deg], along
+//! the shorter arc.
 double distance(double a, double b, bool is_direction) {
     const double apart = std::abs(a - b);
     if (!is_direction) return apart;
@@ -49,7 +50,8 @@ double step_excess(const std::vector<double>& leaves, double limit,
     return sum;
 }
 
-//! Returns the sum of all increases from leaf to leaf, relative to the range.
+//! Returns the sum of all increases from one leaf to the next, relative to the
+//! range.
 double rise(const std::vector<double>& leaves, const Range& limits) {
     double sum = 0;
     for (std::size_t i = 1; i < leaves.size(); ++i)
@@ -58,9 +60,9 @@ double rise(const std::vector<double>& leaves, const Range& limits) {
     return sum;
 }
 
-//! Returns the azimuth of the plane with the smallest maximum deviation of
-//! alternating (distichous) leaves. It is the middle of the smallest arc that
-//! includes all leaves after every other leaf is turned by 180 deg.
+//! Returns the azimuth of the plane from which alternating (distichous) leaves
+//! deviate least, by their largest deviation. After every other leaf is turned
+//! by 180 deg, it is the middle of the smallest arc that includes all leaves.
 double plane(std::vector<double> leaves) {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         leaves[i] =
@@ -86,13 +88,13 @@ double distichous_excess(const std::vector<double>& azimuths, double limit) {
         sum += excess(
             distance(azimuths[i], middle + (i % 2 == 0 ? 0 : circle / 2), true),
             limit);
-    // Ignores rounding errors, since leaves may be exactly at the limit.
+    // Ignore rounding errors, since leaves may be exactly at the limit.
     constexpr double rounding = 1e-12;
     return sum > rounding ? sum : 0;
 }
 
-//! Returns the excess over a range, relative to the limit, or to the range of
-//! the measure where the limit is 0.
+//! Returns the excess over a range, relative to the limit or, if the limit is
+//! 0, to the range of the measure.
 double range_excess(const std::vector<double>& leaves,
                     const TraitConstraint& limit, const Range& limits) {
     const std::size_t count = limit.highest > 0

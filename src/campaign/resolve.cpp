@@ -61,7 +61,7 @@ std::optional<Photosynthesis> photosynthesis_of(const ComponentSpec& spec) {
     return to_photosynthesis(*spec.mesh.photosynthesis);
 }
 
-//! Fills in the stand: plants, bounds and photosynthesis.
+//! Sets the plants, bounds and photosynthesis of the stand.
 void resolve_stand(Campaign& campaign) {
     const Spec& spec = campaign.spec;
     const CropSpec& crop = spec.plant.crop;
@@ -97,8 +97,7 @@ void resolve_stand(Campaign& campaign) {
         each.stomata = to_stomata(*spec.water, *each.photosynthesis);
 }
 
-//! Returns the default population for the largest number of free genes of any
-//! case.
+//! Returns the default population for the case with the most free genes.
 int usual_population_of(const Campaign& campaign) {
     std::size_t largest = 1;
     Case chosen;
@@ -110,7 +109,7 @@ int usual_population_of(const Campaign& campaign) {
                             largest + campaign.varied.keys.size());
 }
 
-//! Fills in the settings of a sensitivity study, which ends only with the last
+//! Sets the search settings for a sensitivity study. It ends only with the last
 //! row of its design.
 void plan_study(Campaign& campaign) {
     SensitivitySpec& spec = campaign.spec.sensitivity;
@@ -134,7 +133,7 @@ void plan_study(Campaign& campaign) {
     campaign.has_light_by_row = true;
 }
 
-//! Fills in the search settings, with defaults.
+//! Sets the search settings, including defaults.
 void plan_search(Campaign& campaign) {
     Spec& spec = campaign.spec;
     SearchSettings& search = campaign.search;
@@ -161,8 +160,8 @@ void plan_search(Campaign& campaign) {
     spec.search.population = search.population;
     spec.stop = campaign.stop;
     spec.final.candidates = campaign.final_rule.candidates;
-    // search.start describes a plant; keys start from their values in the
-    // campaign.
+    // search.start describes only a plant. Varied keys start from their values
+    // in the campaign.
     if (!search.start.empty())
         for (const KeyFactor& each : campaign.varied.keys)
             search.start.push_back(each.value);

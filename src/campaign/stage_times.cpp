@@ -9,14 +9,14 @@ namespace ideotype {
 
 namespace {
 
-//! A rough description of a canopy at an age: fraction of light intercepted by
-//! green leaves, height and angles relative to full growth, and photosynthetic
-//! capacity relative to that before silking.
+//! A rough description of a canopy at one time: the fraction of light that
+//! green leaves intercept, height and angles relative to those of full-grown
+//! plants, and photosynthetic capacity relative to the time before silking.
 struct Shape {
     double interception = 0, height = 0, unfolded = 0, capacity = 1;
 };
 
-//! The shape of the canopy of the baseline over time.
+//! The shape of the baseline's canopy as a function of time.
 class Shapes {
   public:
     Shapes(const Growth& growth, const Plant& plant,
@@ -26,7 +26,7 @@ class Shapes {
           heights_(final_collar_heights(growth, plant)),
           sheath_(plant.sheath.length) {
         // Leaf areas of the plant may differ from those of the growth model, so
-        // the total is rescaled.
+        // rescale the total.
         double total = 0;
         for (const LeafDates& leaf : dates_) total += leaf.area;
         const Mesh mesh =
@@ -62,13 +62,14 @@ class Shapes {
     double sheath_, index_ = 0;
 };
 
-//! Chooses knots, including the first and the last point, that minimise the
-//! error of linear interpolation between them, by dynamic programming (Bellman
+//! Chooses the knots, including the first and the last point, for which linear
+//! interpolation has the smallest error. Uses dynamic programming (Bellman
 //! 1961, Commun. ACM 4, 284).
 std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
                                     std::size_t count) {
-    // Height and angles affect carbon less than leaf area does. Canopies of the
-    // hybrid lose 5 % of the assimilation of a clear day with 10 % of capacity.
+    // Height and angles affect carbon less than leaf area does. With 10 % less
+    // capacity, canopies of the hybrid lose 5 % of the assimilation of a clear
+    // day.
     constexpr double of_form = 0.5, of_capacity = 0.5;
     const std::size_t n = values.size();
     const auto error = [&](std::size_t a, std::size_t b) {
@@ -88,12 +89,14 @@ std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
         }
         return sum;
     };
-    // Error of a straight line between each pair of points.
+    // Error of replacing the points between each pair of points by a straight
+    // line.
     std::vector<double> errors(n * n);
     for (std::size_t b = 1; b < n; ++b)
         for (std::size_t a = 0; a < b; ++a) errors[b * n + a] = error(a, b);
     constexpr double none = std::numeric_limits<double>::infinity();
-    // Smallest error up to each point with k lines, and the point before it.
+    // Smallest error of fitting all points up to each point with k line
+    // segments, and the point where the last segment starts.
     std::vector<double> best(n, none);
     best[0] = 0;
     std::vector<std::vector<std::size_t>> previous;

@@ -12,8 +12,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns thermal time since emergence in the middle of each hour of a series;
-//! before emergence it is negative.
+//! Returns the thermal time since emergence at the middle of each hour of a
+//! series. It is negative before emergence.
 std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
                                   int later, const LightSeries& series) {
     const auto begin = to_day(emergence) + std::chrono::days(later);
@@ -35,7 +35,7 @@ std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
 
 //! The season of a crop: its hours from emergence to the day of maturity.
 struct Season {
-    std::size_t begin = 0, end = 0;  //!< first step, and step after the last
+    std::size_t begin = 0, end = 0;  //!< first step, and end of the range
     std::vector<double> times;       //!< thermal times of all steps
 };
 
@@ -61,7 +61,8 @@ Season season_of(const Campaign& campaign, const Case& chosen,
     return season;
 }
 
-//! Returns the thermal times of each component in all steps; 0 without growth.
+//! Returns the thermal times of each component in all steps; 0 for components
+//! that do not grow.
 std::vector<std::vector<double>> all_ages(const Campaign& campaign,
                                           const Case& one, const Season& season,
                                           const LightSeries& series) {
@@ -90,8 +91,8 @@ std::vector<double> ages_before(const Campaign& campaign) {
     return std::vector<double>(1 + campaign.components.size(), -1);
 }
 
-//! Returns the weight of a stage in the time around a thermal time (linear
-//! interpolation).
+//! Returns the weight of a stage at a thermal time, for linear interpolation
+//! between stages.
 double weight(const Stage& stage, double time) {
     if (time < stage.at)
         return stage.before ? std::max(0., (time - *stage.before) /
@@ -102,13 +103,13 @@ double weight(const Stage& stage, double time) {
                : 1;
 }
 
-//! Returns, for each step, the fraction of carbon assimilated by a component
-//! that its ears respire later; 0 before silking. The dry mass M of ears grows
-//! by dM/dt = e N - e m' M, with the carbon N that fills them, dry matter per
-//! carbon e, and their maintenance m' [mol kg-1 d-1]. So exp(-R) of the carbon
-//! of time t remains at maturity, where R is the integral of e m' since t. This
-//! fraction does not depend on N, so that stages can be evaluated
-//! independently.
+//! Returns, for each step, the fraction of the carbon assimilated by a
+//! component that its ears will respire; 0 before silking. Ears are filled with
+//! carbon N; their dry mass M grows by dM/dt = e N - e m' M, with dry matter
+//! per carbon e and maintenance m' [mol kg-1 d-1]. Thus a fraction exp(-R) of
+//! the carbon of time t remains at maturity, where R is the integral of e m'
+//! from t to maturity. This fraction does not depend on N, so that stages can
+//! be evaluated independently.
 //! @param ages thermal times of the component
 std::vector<double> respired_by_ears(const Growth& growth, const Season& season,
                                      const std::vector<double>& ages,
@@ -130,8 +131,8 @@ std::vector<double> respired_by_ears(const Growth& growth, const Season& season,
     return shares;
 }
 
-//! Sets Stage::ear_shares of all stages: means over their steps, weighted by
-//! light.
+//! Sets Stage::ear_shares of all stages to means over the steps that they
+//! represent, weighted by light.
 void set_ear_shares(const Campaign& campaign, const Season& season,
                     const std::vector<std::vector<double>>& ages,
                     const LightSeries& series, Case& one) {
@@ -191,7 +192,8 @@ void add_stages(const Campaign& campaign, Case& one) {
                     season.times[season.end - 1]);
     const auto ages = all_ages(campaign, one, season, series);
     const Case whole = one;
-    // Each stage, with its share of the light intercepted in the season.
+    // Compute each stage with its share of the light that is intercepted in the
+    // season.
     double sum = 0;
     for (std::size_t k = 0; k < times.size(); ++k) {
         const auto [at, interception] = times[k];

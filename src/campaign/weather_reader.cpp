@@ -15,8 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! Reports problems of a climate that prevent reading its weather; returns
-//! whether there are none.
+//! Reports problems of a climate that prevent its weather from being read;
+//! returns whether there are none.
 bool check_climate(const Climate& climate, const Problems& problems) {
     const auto& [from, to] = climate.period;
     const ColumnMap& columns = climate.columns;
@@ -112,7 +112,8 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
     of_steps("pressure", weather.pressure, 0, 1);
     of_steps("longwave", weather.longwave, 0, 0);
     for (std::size_t b = 0; b < wavebands.size(); ++b) {
-        // Beam and diffuse light are given together; PAR is required.
+        // PAR is required. In other wavebands, beam and diffuse light must be
+        // given together.
         const auto &beam = weather.beam[b], &diffuse = weather.diffuse[b];
         const bool is_none = b > 0 && beam.empty() && diffuse.empty();
         of_steps(wavebands[b].prefix + "beam", beam, is_none ? 0 : steps, 0);
@@ -199,8 +200,7 @@ struct WeathersReader {
             weathers.back().climate = name;
             weathers.back().sha256 = sha256(file.text);
         } catch (const InputError& error) {
-            // Problems of a file shared by several sites are reported only
-            // once.
+            // If several sites share a file, report its problems only once.
             for (const Problem& problem : error.problems())
                 if (is_new(problem))
                     problems.add(of_file.named_by(key, problem));

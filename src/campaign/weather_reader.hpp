@@ -8,10 +8,11 @@
 
 namespace ideotype {
 
-//! Reads the weather files of a campaign, for each site in each climate, unless
-//! the campaign includes the weather, as resolved campaigns do. Problems are
+//! Reads the weather of each site in each climate from files. Does nothing if
+//! the campaign contains the weather, as resolved campaigns do. Problems are
 //! reported with file and line.
-//! @param file path of the campaign, to which weather paths are relative
+//! @param file path of the campaign, to which paths of weather files are
+//! relative
 void read_weathers(const std::string& file, TextSource source, Spec& spec,
                    const Problems& problems);
 

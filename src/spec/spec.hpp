@@ -91,7 +91,7 @@ struct BoundsEntry {
     std::string trait;
     Range range;
     double change = 0;  //!< largest relative change from the baseline; 0: any
-    bool is_bred = false;  //!< whether the rule alone makes the trait free
+    bool is_bred = false;  //!< whether the rule makes the trait free
 };
 
 //! Models of leaves, in the order of LeafRates.
@@ -260,7 +260,7 @@ struct LightSpec {
     std::optional<int> dates, stages;
 };
 
-//! How the values of several scenarios are combined into one objective.
+//! The way in which values of several scenarios form one objective.
 enum class Across { mean, worst };
 template <>
 inline constexpr std::array enum_names<Across>{

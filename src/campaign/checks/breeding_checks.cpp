@@ -13,19 +13,20 @@ namespace ideotype {
 
 namespace {
 
-//! An optimised crop. Crops are in the order of genes: the main crop, then
-//! those of components.
+//! An optimised crop. Crops are in the order of genes: first the main crop,
+//! then the components.
 struct BredCrop {
     const CropSpec& crop;
     std::vector<NamedTraits> sets;  //!< sets of its free traits
-    std::string table;              //!< table of bounds: "plant", "component"
-    Problems of_table;              //!< problems of "plant" or "component[0]"
+    std::string table;  //!< table of its bounds: "plant", "component"
+    Problems of_table;  //!< problems of "plant" or "component[0]"
     //! Problems of "plant.baseline" or "component[0].crop".
     Problems of_baseline;
 
     bool is_component() const { return table == "component"; }
 
-    //! Returns the first set that frees a trait; null if there is none.
+    //! Returns the first trait set in which a trait is free; null if there is
+    //! none.
     const NamedTraits* breeder(const std::string& trait) const {
         for (const NamedTraits& set : sets)
             if (std::ranges::count(set.value, trait) > 0) return &set;
@@ -79,7 +80,7 @@ void check_constraints(const Spec& spec, const Problems& problems) {
 }
 
 //! Returns the path of a measure in a crop, such as "leaf[2].length".
-//! @param leaf rank of the leaf, if the measure is of leaves
+//! @param leaf rank of the leaf, if it is a measure of leaves
 std::string key_of(const Plant& plant, const std::string& measure, int leaf) {
     const std::string part = measure.substr(0, measure.find('.')),
                       rest = measure.substr(part.size());
@@ -91,8 +92,8 @@ std::string key_of(const Plant& plant, const std::string& measure, int leaf) {
     return measure;
 }
 
-//! Collects trait values of a baseline outside the bounds of the search, and
-//! the bounds to write instead.
+//! Finds trait values of a baseline outside the bounds of the search, and lines
+//! that would correct the bounds.
 class BaselineCheck {
   public:
     explicit BaselineCheck(const BredCrop& bred)
@@ -126,7 +127,7 @@ class BaselineCheck {
         return std::move(found_);
     }
 
-    //! Returns the table of bounds that include the baseline.
+    //! Returns a table of bounds that include the baseline.
     std::string wider_bounds() const { return '[' + table_ + ']' + lines(); }
 
   private:
@@ -170,9 +171,9 @@ class BaselineCheck {
                                      : "trait set \"" + set->name + '"')));
     }
 
-    //! Returns the lines of free traits with bounds that differ from the
-    //! defaults of a table, and the list of free traits if the replaced rule
-    //! chose it.
+    //! Returns a line for each free trait with bounds that differ from the
+    //! table's defaults. If the rule to be replaced chose the free traits, adds
+    //! their list.
     std::string lines() const {
         std::string text;
         for (std::size_t t = 0; t < wider_.size(); ++t) {
@@ -206,8 +207,8 @@ class BaselineCheck {
     std::vector<Problem> found_;
 };
 
-//! Reports values of search.start outside the bounds of a crop.
-//! @param start the remaining values of search.start
+//! Reports those values of search.start that are outside the bounds of a crop.
+//! @param start values of search.start from this crop on
 //! @returns the number of genes of the crop
 std::size_t check_start_of(const BredCrop& bred, std::span<const double> start,
                            const Problems& problems) {
@@ -231,8 +232,8 @@ std::size_t check_start_of(const BredCrop& bred, std::span<const double> start,
     return numbers.size();
 }
 
-//! Checks that search.start has a value for each gene, within bounds for free
-//! genes.
+//! Checks that search.start contains one value for each gene, and that values
+//! of free genes are within the bounds.
 void check_start(const Spec& spec, const Problems& problems) {
     const std::vector<double>& start = spec.search.start;
     const Keys keys{"search.start", "plant.bounds"};

@@ -16,7 +16,8 @@ namespace ideotype {
 void check_surface(const std::string& prefix, const Lambertian& surface,
                    double limit, const Problems& problems) {
     const std::string transmittance = prefix + "transmittance";
-    // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
+    // The sum of decimal fractions such as 0.7 and 0.3 may exceed 1 by
+    // rounding.
     problems.rule({transmittance, prefix + "reflectance"},
                   surface.scattered() > limit + 1e-12,
                   "{} is {} (with the reflectance of {} that is more than {} % "
@@ -66,8 +67,7 @@ void check_names(const std::string& axis, const std::vector<Entry>& entries,
     }
 }
 
-//! Returns the number of cases as a floating-point number, since it may be
-//! huge.
+//! Returns the number of cases. It may be too large for an integer.
 double number_of_cases(const Spec& spec) {
     double count = spec.replicates;
     const auto multiply = [&](const std::string& axis, std::size_t entries) {
@@ -80,12 +80,12 @@ double number_of_cases(const Spec& spec) {
     return count;
 }
 
-//! Reports equal names of cases, which are possible since names may contain the
-//! underscore that joins them.
+//! Reports cases with equal names. They are possible because names of entries,
+//! which are joined by underscores, may also contain underscores.
 void check_case_names(const Spec& spec, const Problems& problems) {
     std::set<std::string> names;
-    // Names of replicates always differ, so only the first replicate is
-    // checked.
+    // Check only the first replicate of each case, since names of replicates
+    // always differ.
     const auto step = static_cast<std::size_t>(spec.replicates);
     for (std::size_t i = 0; i < count_cases(spec); i += step) {
         const CaseName chosen = case_name(spec, i);
@@ -102,7 +102,7 @@ void check_case_names(const Spec& spec, const Problems& problems) {
 }
 
 void check_spacing(const Spacing& spacing, const Problems& problems) {
-    // Spacing above that of any crop [m].
+    // Larger spacings are unusual for any crop [m].
     constexpr double usual = 2;
     for (const auto& [name, value] :
          {std::pair("row", spacing.row), std::pair("plant", spacing.plant)})
@@ -127,7 +127,7 @@ void check_spacing(const Spacing& spacing, const Problems& problems) {
         spacing.density, spacing.plant, range.lower, range.upper);
 }
 
-//! Warns about random displacements that reach the neighbour in the row.
+//! Warns if random displacements may reach the next plant in the row.
 void check_positions(const Spec& spec, const Problems& problems) {
     const double position = spec.field.variation.position;
     for (const Named<Spacing>& spacing : spec.spacings)
@@ -141,7 +141,7 @@ void check_positions(const Spec& spec, const Problems& problems) {
                 position, distance);
 }
 
-//! Warns about stands in which the baseline has an unrealistic leaf area index.
+//! Warns if the leaf area index of the baseline is unrealistic.
 void check_leaf_area(const Spec& spec, const Problems& problems) {
     const double area = plant_area(build_plant(spec.plant.crop.baseline,
                                                spec.plant.tessellation))
@@ -158,7 +158,8 @@ void check_leaf_area(const Spec& spec, const Problems& problems) {
     }
 }
 
-//! Reports a waveband for the tolerance in which light is not traced.
+//! Reports an error if light is not traced in the waveband to which the
+//! tolerance applies.
 void check_bands(const Spec& spec, const Problems& problems) {
     for (std::size_t b = 0; b < wavebands.size(); ++b)
         problems.rule(
@@ -169,7 +170,7 @@ void check_bands(const Spec& spec, const Problems& problems) {
             wavebands[b].name);
 }
 
-//! Checks that the faces of all leaves of a field fit into memory.
+//! Checks that the memory can hold the faces of all leaves of a field.
 void check_faces(const Spec& spec, const Problems& problems) {
     constexpr double limit = 20e6;
     const FieldForm& field = spec.field;

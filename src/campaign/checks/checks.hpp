@@ -9,30 +9,30 @@
 
 namespace ideotype {
 
-//! Trait values of baselines outside the bounds of the search. Only searches
-//! forbid them.
+//! Trait values of baselines that are outside the bounds of the search. Only
+//! searches forbid such values.
 struct BaselineDoubts {
     std::vector<Problem>
-        outside;  //!< the values, then the lines to write instead
-    //! Tables with bounds that include the baseline of the main crop, to
-    //! replace the rule of bounds; "": the rule includes it.
+        outside;  //!< the values, then lines that would correct the bounds
+    //! Tables that could replace the rule of bounds: their bounds include the
+    //! baseline of the main crop. "" if the rule's bounds already do.
     std::string wider_bounds;
 };
 
-//! Checks values against each other: contradictions, duplicate names.
+//! Checks values against each other, and names for duplicates.
 BaselineDoubts check_spec(const Spec& spec, const Problems& problems);
 
-//! Checks values of plants and their environment against each other. A search
-//! may vary them by their keys.
+//! Checks values that describe plants and their environment against each other.
+//! A search may vary these values by their keys.
 void check_stand(const Spec& spec, const Problems& problems);
 
 //! Checks the values of a crop file against each other.
 void check_plant(const CropSpec& crop, const Problems& problems);
 
-//! Checks the traits of a crop file, and the bounds under each rule.
+//! Checks the traits of a crop file, and their bounds under each rule.
 void check_traits(const CropSpec& crop, const Problems& problems);
 
-//! Returns whether a trait by itself has no problem.
+//! Returns whether no problem has been reported for a trait itself.
 //! @param problems problems of the crop
 bool is_sound(std::size_t trait, const Problems& problems);
 
@@ -42,50 +42,53 @@ BaselineDoubts check_breeding(const Spec& spec, const Problems& problems);
 //! Checks objectives, their scenarios, and the search.
 void check_search(const Spec& spec, const Problems& problems);
 
-//! Checks the accuracy settings of light.
-//! @param assimilates whether leaves assimilate
+//! Checks the settings for the accuracy of light.
+//! @param assimilates whether assimilation is computed
 //! @param problems problems of the table [light]
 void check_light(const LightSpec& light, bool assimilates,
                  const Problems& problems);
 
-//! Warns if there are too few light paths for objectives that depend on the
-//! light response of leaves.
+//! Warns if the number of light paths is too small for objectives that depend
+//! on the light response of leaves.
 //! @param problems problems of the table [light]
 void check_paths(const Campaign& campaign, const Problems& problems);
 
-//! Checks sites, days and the light of their cases.
+//! Checks sites, days and the light that cases receive.
 void check_sky(const Spec& spec, const Problems& problems);
 
-//! Checks the requirements of growing plants, and keys that require growth.
+//! Checks that growing plants are fully specified, and that keys for growth are
+//! used only with growing plants.
 void check_growing(const Spec& spec, const Problems& problems);
 
-//! Checks the positions of components, and objectives of several components.
+//! Checks the positions of components, and objectives that combine components.
 void check_components(const Spec& spec, const Problems& problems);
 
-//! Reads the files of objects and of meshes of components.
+//! Reads the mesh files of objects and components.
 //! @param file path of the campaign
 void read_meshes(const std::string& file, Spec& spec, const Problems& problems);
 
-//! Reports meshes that do not fit their materials, the field or other tables.
+//! Reports meshes that are inconsistent with their materials, the field or
+//! other tables.
 void check_component_meshes(const Spec& spec, const Problems& problems);
 
-//! Reports materials without values in a waveband, or that scatter more light
+//! Reports materials that lack values in a waveband, or that scatter more light
 //! than they receive.
 //! @param table name of the table of a material, for messages
 void check_materials(const std::vector<MaterialSpec>& materials,
                      const std::vector<std::string>& bands,
                      const std::string& table, const Problems& problems);
 
-//! Checks that panels and objects repeat with the field.
+//! Checks that the positions of panels and objects repeat with the field.
 void check_objects(const Spec& spec, const Problems& problems);
 
-//! Reports a surface that scatters too much of the light.
+//! Reports a surface that scatters too large a fraction of the light.
 //! @param prefix prefix of the surface's keys, such as "optics.leaf_"
 //! @param limit largest sum of reflectance and transmittance
 void check_surface(const std::string& prefix, const Lambertian& surface,
                    double limit, const Problems& problems);
 
-//! Reports surfaces of plants that scatter too much light in any waveband.
+//! Reports surfaces of plants that scatter too large a fraction of the light in
+//! any waveband.
 void check_plant_optics(const ByBand<PlantOptics>& optics,
                         const Problems& problems);
 
@@ -102,14 +105,16 @@ inline std::string quantity_of(const std::string& objective) {
     return objective.substr(objective.find('.') + 1);
 }
 
-//! Checks measured lines, and limits or objectives of the distance from them.
+//! Checks measured lines, and limits or objectives that use the distance from
+//! them.
 void check_feasibility(const Spec& spec, const Problems& problems);
 
-//! Reports varied keys that are not numeric keys of this campaign, ranges
-//! beyond those of the keys, and contradictory settings.
+//! Reports varied keys that are not numeric keys of this campaign, ranges that
+//! exceed those of the keys, and contradictory settings.
 void check_sensitivity(const Spec& spec, const Problems& problems);
 
-//! Reports parameters of other models, and lists of unequal length.
+//! Reports parameters that do not belong to the leaf model, and lists of the
+//! wrong length.
 //! @param leaves number of leaves of the plant; 0: unknown
 void check_photosynthesis(const PhotosynthesisSpec& table, std::size_t leaves,
                           const Problems& problems);

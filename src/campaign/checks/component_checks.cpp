@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-//! @param taken whether each row of the field has a component already
+//! @param taken for each row of the field, whether a component occupies it
 void check_rows(const ComponentSpec& component, std::vector<bool>& taken,
                 const Problems& problems) {
     for (const double row : component.rows)
@@ -31,11 +31,11 @@ void check_rows(const ComponentSpec& component, std::vector<bool>& taken,
         });
 }
 
-//! Reports a component that stands nowhere, or is placed in two ways.
+//! Reports a component without a position, or with two kinds of positions.
 void check_standing(const ComponentSpec& component, const Problems& problems) {
     const bool is_mixed = component.mixed > 0;
-    // Reported without rule(), since a component with an invalid name needs a
-    // position too.
+    // Do not use rule(): the position must be checked even if the component's
+    // name is invalid.
     if (problems.usable({"rows", "mixed", "plants"}) &&
         component.rows.empty() != is_mixed)
         problems.add(
@@ -49,7 +49,7 @@ void check_standing(const ComponentSpec& component, const Problems& problems) {
                   "use `rows` instead of `mixed`");
 }
 
-//! Checks that further components have different names and positions, and leave
+//! Checks that components have different names and positions, and leave
 //! positions for the main crop.
 void check_places(const Spec& spec, const Problems& problems) {
     const FieldForm& field = spec.field;
@@ -86,7 +86,7 @@ void check_places(const Spec& spec, const Problems& problems) {
     }
 }
 
-//! Reports row distances that do not repeat in the field.
+//! Reports row distances that do not form whole periods of the field.
 //! @param problems problems of the field
 void check_row_pattern(const FieldForm& field, const Problems& problems) {
     const auto count = static_cast<int>(field.row_pattern.size());
@@ -100,7 +100,7 @@ void check_row_pattern(const FieldForm& field, const Problems& problems) {
                   count, field.rows, count);
 }
 
-//! Reports a list that does not have a number for each component.
+//! Reports a list unless it contains one number for each component.
 //! @param problems problems of the objectives
 void check_list(const std::vector<double>& list, const std::string& key,
                 std::size_t components, const Problems& problems) {
@@ -116,8 +116,8 @@ void check_list(const std::vector<double>& list, const std::string& key,
                   key, list.size(), components);
 }
 
-//! Reports weights and sole yields that do not fit components, and objectives
-//! without parts.
+//! Reports weights and sole-crop yields that do not match the components, and
+//! objectives that cannot be split into components.
 void check_weights(const Spec& spec, const Problems& root) {
     const ObjectiveSpec& objective = spec.objective;
     const Problems problems = root.in("objective");

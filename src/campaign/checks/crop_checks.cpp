@@ -58,7 +58,7 @@ void check_blade(const Blade& blade, const Problems& problems) {
                   blade.leaflets);
 }
 
-//! Checks names of organs, which are prefixes of names of measures.
+//! Checks names of organs. Names of measures begin with them.
 //! @param problems problems of the crop
 void check_organs(const Plant& plant, const Problems& problems) {
     std::set<std::string> names{"leaf", "blade", "stalk", "sheath", "petiole"};
@@ -101,8 +101,7 @@ void check_growth(const CropSpec& crop, const Problems& problems) {
                   growth.leaves, leaves, leaves);
 }
 
-//! Reports a development stage of growing plants, and warns about one without
-//! effect.
+//! Reports a development stage if plants grow, and warns if it has no effect.
 void check_stage(const Spec& spec, const Problems& problems) {
     const double stage = spec.plant.stage;
     const bool is_given = stage != PlantSpec().stage;
@@ -123,8 +122,8 @@ void check_stage(const Spec& spec, const Problems& problems) {
         stage);
 }
 
-//! Returns the thermal time from a date to the end of the weather [deg C d]; 0
-//! if the weather has no temperature.
+//! Returns the thermal time from a date to the end of the weather [deg C d], or
+//! 0 if the weather does not include temperature.
 double thermal_time_from(const Date& day, const SiteWeather& weather,
                          const Growth& growth) {
     double sum = 0;
@@ -137,7 +136,8 @@ double thermal_time_from(const Date& day, const SiteWeather& weather,
     return sum;
 }
 
-//! Reports emergence outside its period, or without temperatures.
+//! Reports a date of emergence outside the period of the weather, or weather
+//! without temperature.
 //! @param problems problems of the climate
 void check_emergence(const Spec& spec, const Named<Climate>& named,
                      const Problems& problems) {
@@ -174,8 +174,8 @@ void check_emergence(const Spec& spec, const Named<Climate>& named,
     }
 }
 
-//! Reports growth of plants without a whorl: growth is modelled for grasses
-//! only.
+//! Reports growing plants without a whorl, since the growth model applies only
+//! to grasses.
 //! @param problems problems of the crop
 void check_whorl(const CropSpec& crop, const Problems& problems) {
     const Plant& plant = crop.baseline;

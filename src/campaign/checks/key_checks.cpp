@@ -73,7 +73,7 @@ void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
     const std::vector<VariableKey> keys = variable_keys(varied);
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const KeyFactor& factor = factors[i];
-        // Keys of a crop that could not be read are unknown.
+        // If a crop could not be read, its keys are unknown.
         if (!spec.plant.crop.is_known &&
             factor.key.starts_with("plant.baseline."))
             continue;

@@ -11,8 +11,8 @@ namespace ideotype {
 
 namespace {
 
-//! The largest number of faces of one plant, since histories store them as
-//! text.
+//! The largest number of faces of one plant. It is limited because histories
+//! store meshes as text.
 constexpr std::size_t most_faces = 100'000;
 
 //! Reports surfaces without material, and meshes with too many faces.
@@ -35,7 +35,7 @@ void check_surfaces(const ComponentMesh& mesh, const Problems& problems) {
 }
 
 //! Reports values that are not valid optical properties.
-//! @param table name of the table with the key of the band
+//! @param table name of the table that contains the key of the waveband
 void check_optical_parts(const std::vector<double>& parts,
                          const std::string& table, const std::string& band,
                          const Problems& problems) {
@@ -47,7 +47,8 @@ void check_optical_parts(const std::vector<double>& parts,
     if (!problems.usable({band})) return;
     const double sum =
         std::max(parts[0], parts[parts.size() - 2]) + parts.back();
-    // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
+    // The sum of decimal fractions such as 0.7 and 0.3 may exceed 1 by
+    // rounding.
     problems.rule({band}, sum > 1 + 1e-12,
                   "{}.{} scatters {} of the light (more than 1); reflectance "
                   "and transmittance sum to 1 at most",

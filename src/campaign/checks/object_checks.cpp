@@ -13,18 +13,18 @@ namespace ideotype {
 
 namespace {
 
-//! A period of the cell, as a number of equal spacings.
+//! A period of the cell, divided into equal spacings.
 struct Period {
     std::string count_key, step_key;  //!< keys like "field.rows", "spacing.row"
     double step = 0;                  //!< length of a step [m]
     int count = 0;
-    int least = 1;  //!< number that must divide the count
+    int least = 1;  //!< a divisor that the count must have
 
     double length() const { return step * count; }
 };
 
-//! Returns advice for a length that does not divide a period.
-//! @param extra part of the length in addition to the value of the key
+//! Returns advice if a length does not divide a period.
+//! @param extra part of the length that is added to the value of the key
 std::string remedy(const std::string& key, double part, double extra,
                    const Period& period) {
     constexpr int largest = 100;
@@ -47,7 +47,7 @@ std::string remedy(const std::string& key, double part, double extra,
 }
 
 //! Reports a length of panels that does not divide a period.
-//! @param extra part of the length in addition to the value of the key
+//! @param extra part of the length that is added to the value of the key
 void check_period(const std::string& key, double value, double extra,
                   const Period& period, const Problems& problems) {
     const double part = value + extra, whole = period.length();
@@ -115,8 +115,8 @@ void check_modules(const PanelRows& rows, const Problems& problems) {
                   rows.gap);
 }
 
-//! Reports an object that is much larger than the periodic cell, and warns
-//! about one below the soil.
+//! Reports an object that is much larger than the periodic cell. Warns if an
+//! object extends below the soil.
 //! @param table path of the object, such as "object[0]"
 void check_size(const ObjectEntry& object, const Spec& spec,
                 const std::string& table, const Problems& problems) {
@@ -161,7 +161,7 @@ void check_size(const ObjectEntry& object, const Spec& spec,
     }
 }
 
-//! Reports panels that do not repeat with the field at any spacing.
+//! Checks that panels repeat with the field at every spacing of the plants.
 void check_panel(const PanelEntry& panel, const Spec& spec,
                  const Problems& of_panel, const Problems& problems) {
     check_modules(panel.rows, of_panel);

@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the number of leaf pieces in which assimilation is computed.
+//! Returns the number of leaf pieces for which assimilation is computed.
 double pieces_of(const Crop& crop, std::size_t plants) {
     return static_cast<double>(
         plants * crop.baseline.leaves.size() *
@@ -56,7 +56,7 @@ void check_paths(const Campaign& campaign, const Problems& problems) {
     const Accuracy& light = campaign.sampling;
     const double scenes =
         light.fields * (campaign.spec.light.stages.value_or(1));
-    // Counts each path as a hit of diffuse light, an upper bound.
+    // Count each path as one hit of diffuse light, which is an upper bound.
     const double hits =
         static_cast<double>(light.all_paths()) / (scenes * pieces);
     problems.doubt(

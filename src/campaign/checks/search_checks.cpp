@@ -13,8 +13,8 @@ namespace ideotype {
 
 namespace {
 
-//! A part of a campaign that some quantities require, and whether it is
-//! missing.
+//! A part of a campaign without which some quantities cannot be computed, and
+//! whether it is missing.
 struct Need {
     bool (*is_of)(const std::string& quantity);
     bool is_missing;
@@ -37,7 +37,7 @@ void check_quantity(const ByBand<bool>& follows, const std::vector<Need>& needs,
                       "{} {} {}", use, name, each.text);
 }
 
-//! Checks that objectives and axes of an atlas are computed.
+//! Checks that this campaign computes all objectives and axes of an atlas.
 void check_quantities(const Spec& spec, const Problems& problems) {
     const std::vector<Need> needs{
         {is_of_growth, !plants_grow(spec),
@@ -60,7 +60,7 @@ void check_quantities(const Spec& spec, const Problems& problems) {
                        "the axis", axes[i].quantity, problems);
 }
 
-//! Checks the grid of an atlas; other searches must not have one.
+//! Checks the grid of an atlas. Other searches must not specify a grid.
 void check_atlas(const SearchSpec& search, const Problems& problems) {
     constexpr double limit = 1000;
     const bool is_atlas = search.optimizer == OptimizerKind::atlas;
@@ -152,7 +152,7 @@ void check_cma_es(const Spec& spec, const Problems& problems) {
     if (!uses_cma_es(spec.search.optimizer_or_usual())) return;
     const bool is_auto =
         spec.search.optimizer_or_usual() == OptimizerKind::automatic;
-    // Users who have not chosen an optimizer need its name.
+    // Name the optimizer if the user has not chosen it.
     const std::string who = spec.search.optimizer
                                 ? ""
                                 : "the optimizer is \"auto\", since "
@@ -166,7 +166,7 @@ void check_cma_es(const Spec& spec, const Problems& problems) {
                   "search.population is {} ({}CMA-ES ranks at least {} "
                   "plants); use {} or more, or leave it out{}",
                   population, who, fewest, fewest, other);
-    // A history has as many rows as its generations have plants.
+    // The rows of a history are limited by generations times plants.
     const int generations = spec.stop.generations;
     problems.rule({"stop.generations"}, is_auto && generations < auto_design,
                   "stop.generations is {} ({}the first generation of auto has "

@@ -17,7 +17,7 @@ namespace {
 
 void check_site(const Site& site, const Problems& problems) {
     // Real clocks differ from solar time by at most four hours, including
-    // summer time, and few by more than two.
+    // summer time. Few differ by more than two.
     constexpr double unusual = 2, impossible = 4;
     const double ahead = clock_ahead(site);
     const std::string fault = fmt::format(
@@ -32,12 +32,12 @@ void check_site(const Site& site, const Problems& problems) {
                    "{}; check both, few places have such a clock", fault);
 }
 
-//! Returns the fault of a step that does not divide the span from start to end
-//! [min].
+//! Describes the fault of a step [min] that does not divide the span of the
+//! day.
 std::string fault_of_step(double step_minutes, double span) {
     const double steps = span / step_minutes;
     if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return "";
-    // Steps of whole multiples of 3 s are decimal numbers of minutes.
+    // A step in minutes is a short decimal number if it is a multiple of 3 s.
     const long ticks = std::lround(span * 20);
     const auto step = [&](long count, long change) {
         while (count > 1 && count < ticks && ticks % count != 0)

@@ -23,8 +23,8 @@ struct Variation {
     std::vector<KeyFactor> keys;
 };
 
-//! How many of the best candidates are re-evaluated at the end, and with which
-//! accuracy.
+//! The number of best candidates that are re-evaluated at the end, and the
+//! accuracy of these evaluations.
 struct FinalRule {
     int candidates = 5;
     Accuracy sampling{16384, 16};

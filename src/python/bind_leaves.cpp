@@ -25,7 +25,7 @@ struct GrowingCrop {
     std::vector<LeafDates> leaves;
 };
 
-//! Returns the parameters of each leaf by name.
+//! Returns the parameters of each leaf, by name.
 nb::dict at(const GrowingCrop& crop, double thermal_time) {
     std::vector<double> green, dead, tip, collar, death;
     for (const LeafDates& leaf : crop.leaves) {
@@ -53,8 +53,8 @@ nb::dict at(const GrowingCrop& crop, double thermal_time) {
     return balance;
 }
 
-//! Returns thermal time and green and dead leaf area of one plant at the end of
-//! each day.
+//! Returns the thermal time and the green and dead leaf area of one plant, each
+//! at the end of every day.
 nb::tuple season(const GrowingCrop& crop, const Input<double, 1>& hourly) {
     constexpr std::size_t hours = 24;
     std::vector<double> times, green, dead;
@@ -77,7 +77,7 @@ nb::tuple season(const GrowingCrop& crop, const Input<double, 1>& hourly) {
                           to_array(dead, {days}));
 }
 
-//! Reads the leaf of a point, with the columns listed in ideotype.stand.energy.
+//! Makes a leaf from the columns of a point, which ideotype.stand.energy lists.
 ThermalLeaf leaf_of(const double* x, bool is_c3) {
     ThermalLeaf leaf{
         .stomata = {static_cast<Stomata::Model>(x[9]), x[10], x[11]},

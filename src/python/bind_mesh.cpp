@@ -14,15 +14,15 @@ namespace ideotype::python {
 
 namespace {
 
-//! A mesh of faces made from polygons.
+//! A mesh whose faces were made by dividing polygons.
 struct Divided {
     Mesh mesh;
     std::vector<std::size_t> polygon;  //!< polygon of each face
     std::size_t polygons = 0;
 };
 
-//! Divides polygons into faces as in OBJ files.
-//! @param corners vertices of all polygons, in order
+//! Divides polygons into faces, as for OBJ files.
+//! @param corners vertices of all polygons, one polygon after another
 //! @param counts number of corners of each polygon
 Divided divide(const Input<double, 2>& vertices,
                const Input<std::uint32_t, 1>& corners,
@@ -51,8 +51,8 @@ Divided divide(const Input<double, 2>& vertices,
     return result;
 }
 
-//! Returns the absorbed light of each polygon per one-sided area; 0 without
-//! area.
+//! Returns the light absorbed by each polygon per one-sided area; 0 for
+//! polygons without area.
 std::vector<Estimate> by_polygon(const Divided& divided,
                                  const std::vector<double>& areas,
                                  const std::vector<Estimate>& faces) {
@@ -62,7 +62,8 @@ std::vector<Estimate> by_polygon(const Divided& divided,
     for (std::size_t f = 0; f < faces.size(); ++f) {
         Estimate& polygon = estimates[divided.polygon[f]];
         polygon.mean += faces[f].mean * areas[f];
-        // Standard errors are added as if fully correlated, an upper bound.
+        // Add standard errors as if they were fully correlated, which is an
+        // upper bound.
         polygon.standard_error += faces[f].standard_error * areas[f];
         area[divided.polygon[f]] += areas[f];
     }
@@ -71,7 +72,7 @@ std::vector<Estimate> by_polygon(const Divided& divided,
     return estimates;
 }
 
-//! A unit of results, and the factor that converts to it.
+//! A unit of results, and the factor by which values are converted to it.
 struct Unit {
     const char* name;
     double scale = 1;
@@ -82,7 +83,7 @@ Unit unit_of_light(const MeshSpec& spec) {
     return {spec.has_ppfd() ? "umol m-2 s-1" : "1"};
 }
 
-//! The parts of an xarray Dataset: coordinates, and arrays with name,
+//! The parts of an xarray Dataset: coordinates and arrays. An array has a name,
 //! dimensions, unit, meaning and values; values with standard errors are pairs.
 struct Dataset {
     nb::list arrays;
@@ -114,8 +115,8 @@ struct Dataset {
     }
 };
 
-//! Returns the parts of a Dataset: arrays, coordinates and attributes. With a
-//! scene file, arrays are by band and component.
+//! Returns the arrays, coordinates and attributes of a Dataset. With a scene
+//! file, arrays are split by waveband and component.
 nb::tuple parts_of(const MeshReport& report, const MeshSpec& spec,
                    const std::vector<Estimate>& faces) {
     const CanopyReport& canopy = report.canopy;
@@ -140,7 +141,7 @@ nb::tuple parts_of(const MeshReport& report, const MeshSpec& spec,
     } else {
         dataset.add(budget_results(light.day, canopy), unit);
         dataset.add(part_results(canopy), unit);
-        // Light by face is per one-sided area of the face.
+        // Light by face is given per one-sided area of the face.
         if (!faces.empty())
             dataset.add({{"", "absorbed_by_face", {{"face"}}, faces}}, unit);
         for (const auto& [quantity, estimate] : numbers_of(canopy, span))
@@ -163,8 +164,8 @@ nb::tuple parts_of(const MeshReport& report, const MeshSpec& spec,
     return nb::make_tuple(dataset.arrays, dataset.coordinates, about);
 }
 
-//! Returns the Python argument of a key: the two fractions of a surface are one
-//! argument, a pair.
+//! Returns the Python argument for a key. The two fractions of a surface are
+//! passed as a pair in one argument.
 std::string argument_of_key(const std::string& key) {
     for (const std::string surface : {"leaf", "stalk", "sheath"})
         if (key.starts_with(surface + '_'))

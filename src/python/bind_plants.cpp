@@ -11,7 +11,7 @@ namespace ideotype::python {
 
 namespace {
 
-//! The plant of the main crop, and plants of optimised components.
+//! The plant of the main crop, followed by plants of optimised components.
 struct AnyPlants {
     Plants plants;
 };
@@ -20,7 +20,7 @@ AnyPlants read_plant(const std::string& path) {
     return {{read_crop(path).baseline}};
 }
 
-//! Returns the crop files of built-in crops by name.
+//! Returns the texts of the built-in crop files, by name.
 nb::dict known_crops() {
     nb::dict fields;
     for (const std::string& name : known_crop_names())
@@ -50,8 +50,8 @@ double reach_of(const AnyPlants& grown) {
     return top;
 }
 
-//! Returns name, unit and values of each measure of leaves, the lowest leaf
-//! first, without optional measures that are all 0.
+//! Returns the name, unit and values of each measure of leaves, the lowest leaf
+//! first. Optional measures are left out if all their values are 0.
 nb::list leaves_of(const AnyPlants& grown, std::size_t component) {
     const std::vector<Leaf>& leaves = grown.plants.at(component).leaves;
     nb::list list;
@@ -78,12 +78,12 @@ nb::tuple mesh_of(const AnyPlants& grown, const CaseStand& under,
                                   under.campaign().spec.plant.tessellation));
 }
 
-//! Evaluates plants of any shape in one case of a campaign, or in one of its
-//! scenarios. Several threads may evaluate.
+//! Evaluates plants of any shape in one case of a campaign, or in one of the
+//! case's scenarios. Several threads may evaluate at a time.
 class PlantStand : public CaseStand {
   public:
-    //! @param reach largest height of any leaf of the compared plants [m]
-    //! @param scenario index of the scenario, or nothing for all scenarios
+    //! @param reach largest height of any leaf of the plants to be compared [m]
+    //! @param scenario index of a scenario; if empty, all scenarios are
     //! combined
     PlantStand(const CaseStand& under, const AnyPlants& any, double reach,
                std::optional<std::size_t> scenario)
@@ -93,9 +93,9 @@ class PlantStand : public CaseStand {
                     under.isa()),
           plants_(any.plants) {}
 
-    //! Returns objectives as estimates and by randomisation [objective,
-    //! randomisation], and all values of quantities as estimates and by
-    //! randomisation [randomisation, value], with NaN where unknown.
+    //! Returns four arrays: objectives as estimates and by randomisation
+    //! [objective, randomisation]; all values of quantities as estimates and by
+    //! randomisation [randomisation, value]. Unknown numbers are NaN.
     //! @throws Error if the evaluation fails.
     nb::tuple evaluate(std::uint32_t generation, bool is_final,
                        std::optional<std::uint64_t> seed,

@@ -16,8 +16,8 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
-//! An ask-and-tell search: the caller evaluates the rows of one generation at a
-//! time.
+//! A search with functions ask and tell: the caller evaluates one generation of
+//! rows at a time.
 class Search {
   public:
     Search(const SearchSettings& settings, const SearchSpace& space,
@@ -34,9 +34,9 @@ class Search {
         return asked_;
     }
 
-    //! @param objectives values [row, objective]; rows with NaN failed
-    //! @param violations violation of each row
-    //! @param features values [row, axis] of an atlas
+    //! @param objectives values [row, objective]; NaN marks failed rows
+    //! @param violations constraint violation of each row
+    //! @param features values [row, axis] for the axes of an atlas
     void tell(const Matrix& objectives, const std::vector<double>& violations,
               const Matrix& features) {
         ask();

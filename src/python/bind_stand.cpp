@@ -33,9 +33,9 @@ std::unique_ptr<CaseStand> from_text(const std::string& text,
     return of_case(read_campaign_text(text, path, settings), index, path, isa);
 }
 
-//! Makes the stand of the case with this name and with the varied keys at the
-//! end of a genome, if any, which are then removed. Null if there is no such
-//! case.
+//! Makes the stand of the case with this name; returns null if there is none.
+//! If values of varied keys follow the traits in the genome, they are applied
+//! to the stand and removed from the genome.
 std::unique_ptr<CaseStand> stand_at(const Campaign& campaign,
                                     const std::string& name, Genome& genome,
                                     const std::string& isa) {
@@ -45,8 +45,8 @@ std::unique_ptr<CaseStand> stand_at(const Campaign& campaign,
     return std::make_unique<CaseStand>(std::move(varied), *matching, isa);
 }
 
-//! Makes the stand of a history from its resolved campaign, after applying
-//! settings.
+//! Makes the stand of a history from its resolved campaign, to which settings
+//! are applied first.
 std::unique_ptr<CaseStand> from_history(const std::string& text,
                                         const std::string& path,
                                         const std::string& name, Genome genome,
@@ -57,8 +57,8 @@ std::unique_ptr<CaseStand> from_history(const std::string& text,
     throw Error(path + ": the campaign in this history has no case " + name);
 }
 
-//! Returns the name of the entry on each axis; for a mean over several entries,
-//! that of the first.
+//! Returns the name of the entry on each axis. If the case is a mean over
+//! several entries, this is the first of them.
 nb::dict entries(const CaseStand& stand) {
     const Case chosen = scenarios(stand.chosen()).front();
     nb::dict result;
@@ -117,7 +117,7 @@ nb::list case_names(const std::string& path, const Settings& settings) {
 }
 
 //! Returns the clock hour of each instant [h], the light above the canopy [W
-//! m-2], and the light on each sensor relative to it, with standard error
+//! m-2], and the light on each sensor relative to it, with its standard error
 //! [sensor, instant].
 nb::tuple light_on_sensors(CaseStand& stand, const Input<double, 1>& genome,
                            const std::vector<double>& heights,
@@ -155,7 +155,7 @@ std::vector<std::string> warnings(const CaseStand& stand) {
     return texts;
 }
 
-//! Returns key, value and values to try for each accuracy key.
+//! Returns the key, its value and the values to try, for each accuracy key.
 nb::list accuracy(const CaseStand& stand) {
     nb::list list;
     for (const AccuracyKey& each : accuracy_keys(stand.campaign().spec))
@@ -163,7 +163,7 @@ nb::list accuracy(const CaseStand& stand) {
     return list;
 }
 
-//! Returns name, unit and whether it is maximised, for each objective.
+//! Returns, for each objective, its name, its unit and whether it is maximised.
 nb::list objectives(const CaseStand& stand) {
     nb::list list;
     for (const Objective& each : stand.schema().objectives)
@@ -172,7 +172,7 @@ nb::list objectives(const CaseStand& stand) {
     return list;
 }
 
-//! Returns name, unit, meaning and coordinates of each axis.
+//! Returns, for each axis, its name, unit, meaning and coordinates.
 nb::list axes(const CaseStand& stand) {
     nb::list list;
     for (const Axis& axis : stand.schema().measured.axes)
@@ -183,8 +183,8 @@ nb::list axes(const CaseStand& stand) {
     return list;
 }
 
-//! Returns name, unit, meaning, axes, exactness and, for categorical
-//! quantities, the category names of each quantity.
+//! Returns, for each quantity, its name, unit, meaning, axes and exactness, and
+//! the category names of categorical quantities.
 nb::list quantities(const CaseStand& stand) {
     nb::list list;
     for (const Quantity& quantity : stand.schema().measured.quantities)
@@ -253,7 +253,8 @@ CaseStand::CaseStand(Campaign campaign, const Case& chosen,
       chosen_(chosen),
       stand_(campaign_, chosen_),
       devices_(isa.empty() ? Device::supported_isas().back() : isa) {
-    devices_.with([](const Device&) {});  // checks the instruction set
+    devices_.with(
+        [](const Device&) {});  // fails if the instruction set is not supported
     stand_.prepare();
 }
 

@@ -40,7 +40,7 @@ Output<Number> to_array(const std::vector<Number>& numbers,
     return Output<Number>(data, shape, owner);
 }
 
-//! Returns means and standard errors as [numbers, 2].
+//! Returns means and standard errors as an array [estimate, 2].
 inline Output<double> to_array(const std::vector<Estimate>& estimates) {
     std::vector<double> numbers;
     for (const Estimate& x : estimates) {
@@ -60,8 +60,9 @@ inline std::vector<std::string> names_of(const auto& entries) {
     return names;
 }
 
-//! Returns vertices [n, 3] in m, faces [m, 4], the group of each face, group
-//! names, and the leaf rank of each group, from 1 (0: not a leaf).
+//! Returns the vertices [n, 3] in m, the faces [m, 4], the group index of each
+//! face, the name of each group, and the leaf rank of each group, from 1 (0:
+//! not a leaf).
 inline nb::tuple mesh_tuple(const Mesh& mesh) {
     std::vector<double> vertices;
     for (const glm::dvec3& x : mesh.vertices)

@@ -17,7 +17,7 @@ nb::list to_list(const std::vector<Problem>& problems) {
     return list;
 }
 
-//! Translates errors to exceptions of ideotype.errors.
+//! Makes errors appear in Python as exceptions of ideotype.errors.
 void translate_errors() {
     nb::register_exception_translator(
         [](const std::exception_ptr& thrown, void*) {

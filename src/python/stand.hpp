@@ -13,14 +13,14 @@
 
 namespace ideotype::python {
 
-//! A pool of devices; each evaluating thread borrows one.
+//! A pool of devices, from which each evaluating thread borrows one.
 class Devices {
   public:
     explicit Devices(std::string isa) : isa_(std::move(isa)) {}
 
     const std::string& isa() const { return isa_; }
 
-    //! Calls an action with a device that no other thread is using.
+    //! Calls a function with a device that no other thread is using.
     template <class Action>
     auto with(Action action) {
         std::unique_ptr<Device> device = take();
@@ -49,12 +49,12 @@ class Devices {
     std::vector<std::unique_ptr<Device>> idle_;
 };
 
-//! The stand of one case of a campaign. Several threads may evaluate. Genomes
-//! are as in rows of histories: the values of varied campaign keys may follow
-//! the traits.
+//! The stand of one case of a campaign. Several threads may evaluate at a time.
+//! Genomes are like those in histories: values of varied campaign keys may
+//! follow the traits.
 class CaseStand {
   public:
-    //! @param isa instruction set; "" for the widest of this processor
+    //! @param isa instruction set; "": the widest that this processor supports
     //! @throws Error if the case does not exist.
     CaseStand(Campaign campaign, const Case& chosen, const std::string& isa);
     CaseStand(const CaseStand&) = delete;
@@ -65,28 +65,28 @@ class CaseStand {
     const std::string& isa() const { return devices_.isa(); }
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
-    //! Returns the plants of a genome, which may end with values of varied
-    //! keys.
+    //! Returns the plants of a genome, in which values of varied keys may
+    //! follow the traits.
     Plants grown(const Genome& genome) const;
 
-    //! Evaluates a plant, with the varied keys at the end of its genome, if
-    //! any. A failure is reported in the outcome.
+    //! Evaluates a plant. Values of varied keys may follow the traits in its
+    //! genome. If the evaluation fails, the outcome states the reason.
     //! @throws Error if the task is impossible.
     Outcome evaluate(const Genome& genome, const Task& task);
 
-    //! Returns the mesh of a plant of a component, at the origin and with y
-    //! along the row [m].
-    //! @param thermal_time time since emergence [deg C d]; none: full-grown
-    //! @throws Error if a time is given and plants of the component do not grow
+    //! Returns the mesh of a component's plant at the origin, with y along the
+    //! row [m].
+    //! @param thermal_time time since emergence [deg C d]; nothing: full-grown
+    //! @throws Error if a time is given but plants of the component do not grow
     Mesh mesh(const Genome& genome, std::size_t component,
               std::optional<double> thermal_time) const;
 
-    //! Returns the mesh of the first field drawn in evaluations with this seed:
-    //! one periodic cell, with within-line variation.
+    //! Returns the mesh of the first field that evaluations with this seed
+    //! draw: one periodic cell, with within-line variation.
     Mesh field_mesh(const Genome& genome) const;
 
-    //! Returns the light on sensors among plants of a genome at each instant,
-    //! by light_on_sensors(), averaged over a number of fields.
+    //! Computes the light on sensors among the plants of a genome at each
+    //! instant by light_on_sensors(), averaged over a number of fields.
     std::vector<std::vector<Estimate>> light_on_sensors(
         const Genome& genome, const std::vector<Sensor>& sensors, int fields,
         int points);
@@ -95,8 +95,9 @@ class CaseStand {
     LightSeries light() const;
 
   protected:
-    //! Returns the stand with the varied keys at the end of a genome, which are
-    //! then removed; null: the genome has no keys.
+    //! Returns a stand in which the varied keys are set from the end of a
+    //! genome, and removes their values from the genome. Returns null if the
+    //! genome contains no keys.
     std::unique_ptr<CaseStand> at_own_keys(Genome& genome) const;
 
     Campaign campaign_;

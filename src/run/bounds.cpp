@@ -11,8 +11,9 @@ namespace ideotype {
 
 namespace {
 
-//! The fraction of values at a bound from which a trait is reported. Without
-//! selection, a value is at one of its two bounds in a tenth of searches.
+//! A trait is reported if at least this fraction of its values is at a bound.
+//! Without selection, a value would be at one of its two bounds in a tenth of
+//! the searches.
 constexpr double least_part = 0.2;
 
 BoundCount::Trait& trait_of(std::vector<BoundCount::Trait>& traits,

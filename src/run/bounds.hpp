@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! A gene with a value at one of its bounds.
+//! A gene whose value is at one of its bounds.
 struct GeneAtBound {
     std::string gene;
     Bound bound;
@@ -20,7 +20,7 @@ struct GeneAtBound {
 std::vector<GeneAtBound> genes_at_bounds(const GeneSpace& genes,
                                          const Genome& plant);
 
-//! Counts how often traits of the best plants of searches are at their bounds.
+//! Counts how often the traits of the best plants of searches are at a bound.
 struct BoundCount {
     struct Trait {
         std::string name;
@@ -34,8 +34,8 @@ struct BoundCount {
     void add(const GeneSpace& genes, const Genome& best);
     void add(const BoundCount& others);
 
-    //! Returns a clause about the traits with at least a fifth of their values,
-    //! over all searches, at a bound; "" if there are none.
+    //! Returns a clause about the traits that are at a bound in at least a
+    //! fifth of their values, over all searches; "" if there are none.
     std::string in_words() const;
 };
 

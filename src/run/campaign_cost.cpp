@@ -10,14 +10,14 @@
 
 namespace ideotype {
 
-//! Takes the fastest of a few evaluations, since the first one warms up caches
+//! Uses the fastest of a few evaluations. The first evaluation fills caches,
 //! and other processes may use the core.
 CampaignCost::CampaignCost(const Campaign& campaign, const Case& chosen)
     : population(campaign.search.population),
       generations(campaign.stop.generations),
       finalists(1 + campaign.final_rule.candidates) {
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
-    // Time above which one measurement is enough [s].
+    // One measurement is enough if it takes longer than this [s].
     constexpr double long_time = 1;
     const auto measure = [&](int times, Task task) {
         task.case_index = static_cast<std::uint32_t>(chosen.index);

@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! The cost of a campaign in which no stop rule ends a case early.
+//! The cost of a campaign if no stop rule ends a case early.
 struct CampaignCost {
     //! Measures evaluations of the baseline in a case.
     CampaignCost(const Campaign& campaign, const Case& chosen);
@@ -15,14 +15,15 @@ struct CampaignCost {
     long long evaluations() const {
         return static_cast<long long>(generations) * population;
     }
-    //! Returns the time of one case alone [s], in which each generation waits
-    //! for its slowest worker.
+    //! Returns the time of a single case [s]. At the end of each generation,
+    //! workers wait for the slowest one.
     double of_case(int workers) const;
-    //! Returns the time of several cases in one job [s]; while one waits for a
-    //! generation, workers evaluate others.
+    //! Returns the time of several cases in one job [s]. While one case waits
+    //! for the end of a generation, workers evaluate other cases.
     double of_cases(std::size_t cases, int workers) const;
 
-    //! Time of a usual and a final evaluation on one core of this machine [s].
+    //! Times of a normal and of a final evaluation on one core of this machine
+    //! [s].
     double usual = 0, final = 0;
     int population, generations, finalists;
 };

@@ -70,7 +70,7 @@ std::optional<Work> CaseSearch::next() {
 }
 
 void CaseSearch::record(const Work& work, const Outcome& outcome) {
-    // Commits here, since workers have been given new work by now.
+    // Commit only now, when workers have already received new work.
     commit();
     const Task& task = work.task;
     history_.record(task.generation, task.slot, outcome, task.attempt);
@@ -83,8 +83,8 @@ std::optional<std::string> CaseSearch::ending() const {
     return reason_.value_or("room");
 }
 
-//! Returns whether the search ends before a generation. Call it when all rows
-//! that the generation depends on are known.
+//! Returns whether the search ends before a generation. Call it only when all
+//! rows on which the generation depends are known.
 bool CaseSearch::is_over(std::uint32_t generation) const {
     const Optimizer& optimizer = evolution_.optimizer;
     const auto limit =
@@ -94,17 +94,19 @@ bool CaseSearch::is_over(std::uint32_t generation) const {
            !history_.has_room(generation, optimizer.size(generation));
 }
 
-//! Proposes rows until one waits for evaluation, if possible.
+//! Proposes rows until one of them waits for evaluation or no more can be
+//! proposed.
 void CaseSearch::extend() {
     while (waiting_.empty() && (is_proposing() || begin_generation())) {
         propose();
-        // Rows evaluated in an earlier session may allow more proposals.
+        // Learn rows that an earlier session evaluated, since they may allow
+        // more proposals.
         learn();
     }
 }
 
-//! Proposes a batch of rows of the last open generation; workers evaluate them
-//! while further rows are proposed.
+//! Proposes a batch of rows of the last open generation. Workers can evaluate
+//! them while further rows are proposed.
 void CaseSearch::propose() {
     constexpr std::size_t batch = 64;
     const Open& last = open_.back();
@@ -118,8 +120,8 @@ void CaseSearch::propose() {
     add(candidates);
 }
 
-//! Begins the next generation; returns false if there is none, or if it needs
-//! rows that are not known yet.
+//! Begins the next generation. Returns false if there is none, or if rows on
+//! which it depends are not known yet.
 bool CaseSearch::begin_generation() {
     Optimizer& optimizer = evolution_.optimizer;
     const auto generation =
@@ -130,8 +132,8 @@ bool CaseSearch::begin_generation() {
     return true;
 }
 
-//! Stores candidates of the last open generation in the history before they are
-//! handed out.
+//! Stores candidates of the last open generation in the history. They may be
+//! handed out only afterwards.
 void CaseSearch::add(const std::vector<Candidate>& candidates) {
     Open& open = open_.back();
     const auto generation =
@@ -188,7 +190,8 @@ std::vector<double> CaseSearch::features_of(const Outcome& outcome) const {
     return features;
 }
 
-//! Stores the outcome of a row, if known, for later rows with the same genome.
+//! Copies the outcome of a row, if it is known, to later rows with the same
+//! genome.
 void CaseSearch::copy(std::uint32_t generation, std::uint32_t original) {
     Open& open = open_[generation - first_open()];
     const auto [begin, end] = open.copies.equal_range(original);
@@ -203,7 +206,7 @@ void CaseSearch::copy(std::uint32_t generation, std::uint32_t original) {
     }
 }
 
-//! Passes known rows to the optimizer, in their order.
+//! Passes known rows to the optimizer in order.
 //! @throws CaseError if too many evaluations of a generation fail.
 void CaseSearch::learn() {
     while (!open_.empty()) {

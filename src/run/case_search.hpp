@@ -14,11 +14,11 @@
 
 namespace ideotype {
 
-//! The asynchronous search of one case, between optimizer and history: proposes
-//! rows, stores outcomes and commits generations. Outcomes may arrive in any
-//! order, but are passed to the optimizer in the order of rows, so that results
-//! do not depend on the number of workers. Both references must outlive the
-//! search.
+//! Connects the optimizer and the history in the asynchronous search of one
+//! case: proposes rows, stores outcomes and commits generations. Outcomes may
+//! arrive in any order, but are passed to the optimizer in the order of rows,
+//! so that results do not depend on the number of workers. Both constructor
+//! arguments must outlive the search.
 class CaseSearch {
   public:
     //! Passes the complete generations of the history to the optimizer.
@@ -30,30 +30,31 @@ class CaseSearch {
     //! Commits complete generations, then stores an outcome.
     void record(const Work& work, const Outcome& outcome);
 
-    //! Passes known rows to the optimizer, in their order, and commits complete
+    //! Passes known rows to the optimizer in order, and commits complete
     //! generations.
     //! @throws CaseError if too many evaluations of a generation fail.
     void commit();
 
-    //! Returns the reason for the end: the stop rule, or "room" if the history
-    //! has no room for another generation. Returns nothing before all
-    //! generations are complete.
+    //! Returns the reason why the search ended: the stop rule, or "room" if
+    //! there is no room for another generation in the history. Returns nothing
+    //! until all generations are complete.
     std::optional<std::string> ending() const;
 
   private:
-    //! A proposed generation that is incomplete.
+    //! A generation that has been proposed but is not complete.
     struct Open {
         std::size_t size = 0;
         std::size_t learnt = 0;  //!< number of rows passed to the optimizer
         Population rows;         //!< proposed rows
-        //! Under common random numbers, equal genomes have equal outcomes and
-        //! are evaluated once. These are the first slot of each genome, and
-        //! later slots that wait for its outcome.
+        //! Equal genomes have equal outcomes under common random numbers, so
+        //! each is evaluated once. `first_slots` contains the first slot of
+        //! each genome; `copies` contains later slots that wait for its
+        //! outcome.
         std::map<Genome, std::uint32_t> first_slots;
         std::multimap<std::uint32_t, std::uint32_t> copies;
     };
 
-    //! A complete generation, not yet committed.
+    //! A complete generation that is not yet committed.
     struct Complete {
         std::uint32_t generation = 0;
         GenerationSummary summary;
@@ -88,12 +89,12 @@ class CaseSearch {
     Progress progress_;               //!< complete generations
     std::vector<Complete> complete_;  //!< complete generations to commit
     std::deque<Open>
-        open_;  //!< open generations; rows of the first one are learnt now
+        open_;  //!< open generations; only rows of the first are learnt
     std::uint64_t known_rows_ = 0;  //!< rows passed to the optimizer
-    std::deque<Work> waiting_;      //!< proposed work, not yet handed out
+    std::deque<Work> waiting_;  //!< proposed work that is not handed out yet
     std::optional<std::string> reason_;
     std::uint64_t reason_row_ =
-        0;  //!< number of rows known when the stop rule held
+        0;  //!< number of known rows when the stop rule applied
 };
 
 }  // namespace ideotype

@@ -16,14 +16,15 @@ namespace ideotype {
 class CanopyEvaluator : public Evaluator {
   public:
     //! Makes an evaluator; the campaign must outlive it.
-    //! @throws Error if the processor lacks the instruction set.
+    //! @throws Error if the processor does not support the instruction set.
     CanopyEvaluator(const Campaign& campaign, const std::string& isa);
 
     const OutcomeSchema& schema(const Task& task) const override;
     Outcome evaluate(const Task& task, const Genome& genome) override;
 
   private:
-    //! A case of the campaign with its stand, set up once for all candidates.
+    //! A case of the campaign with its stand, which is set up once for all
+    //! candidates.
     struct Place {
         Place(const Campaign& campaign, const Case& one)
             : chosen(one), stand(campaign, one) {}
@@ -32,12 +33,12 @@ class CanopyEvaluator : public Evaluator {
         Stand stand;
     };
 
-    //! Returns the entry of a case, made on first use. It is thread-safe, since
-    //! masters read schemas while workers evaluate.
+    //! Returns the entry of a case, which is made on first use. The call is
+    //! thread-safe, since masters read schemas while workers evaluate.
     Place& place(std::uint32_t index) const;
 
     const Campaign& campaign_;
-    mutable std::mutex mutex_;  //!< guards places_
+    mutable std::mutex mutex_;  //!< protects places_
     mutable std::map<std::uint32_t, Place> places_;
     Device device_;
 };

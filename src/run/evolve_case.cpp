@@ -11,7 +11,7 @@ namespace ideotype {
 namespace {
 
 //! Re-evaluates the baseline and the best distinct genomes of the last
-//! generation; returns false if a stop came first.
+//! generation. Returns false if a stop request came first.
 Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
     const SearchSpace space =
         search_space(evolution.campaign, evolution.chosen);

@@ -37,23 +37,24 @@ class Watcher {
     virtual void on_final(const std::string& reason) = 0;
 };
 
-//! Returns the genes, the baseline and the senses of objectives of a case.
+//! Returns the genes and the baseline of a case, and whether each objective is
+//! maximised or minimised.
 SearchSpace search_space(const Campaign& campaign, const Case& chosen);
 
-//! The parts of an evolution; all must outlive it.
+//! The objects that an evolution uses; all of them must outlive it.
 struct Evolution {
     const Campaign& campaign;
     const Case& chosen;
-    Optimizer& optimizer;  //!< fresh optimizer
+    Optimizer& optimizer;  //!< optimizer that has not learnt any rows
     Dispatcher& dispatcher;
     Watcher& watcher;
     std::function<double()> elapsed;  //!< time of the case in this session [s]
 };
 
-//! Evolves a case from the state of its history until a stop rule holds and the
-//! finalists are evaluated, or until a stop is requested. It is the main loop
-//! of a master, a coroutine that suspends while evaluations are in flight. The
-//! history must outlive it.
+//! Evolves a case from the state of its history until a stop rule applies and
+//! the finalists are evaluated, or until a stop is requested. This is the main
+//! loop of a master: a coroutine that suspends while evaluations are in flight.
+//! The history must outlive it.
 //! @throws CaseError if too many evaluations of a generation fail.
 Routine<Ending> evolve_case(Evolution evolution, History& history);
 

@@ -24,8 +24,8 @@ int columns_of(int file) {
         return is_known ? static_cast<int>(size.ws_col) : 80;
     };
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return width_of(file);
-    // Open MPI gives its ranks other terminals and pipes, so the streams of
-    // mpirun are examined.
+    // Open MPI gives other terminals and pipes to its ranks, so examine the
+    // streams of mpirun.
     const int starter =
         open(fmt::format("/proc/{}/fd/{}", getppid(), file).c_str(),
              O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);

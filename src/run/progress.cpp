@@ -30,8 +30,8 @@ std::string format(Estimate x) {
     const double error = normal_95 * std::abs(x.standard_error);
     const double mean = std::abs(x.mean);
     if (!std::isfinite(error)) return fmt::format("{:.6g}", x.mean);
-    // Limits for numbers that are zero up to rounding, and for negligible
-    // relative errors.
+    // Limits below which numbers are zero up to rounding, and relative errors
+    // are negligible.
     constexpr double nothing = 1e-12, exact = 1e-9, small = 1e-4;
     if (mean < nothing && error < nothing) return "0";
     if (error <= exact * mean)
@@ -102,7 +102,7 @@ class ProgressLog::CaseWatcher : public Watcher {
                        const GenerationSummary& summary) override {
         entry_.generation = generation;
         entry_.plants += plants;
-        // The largest objective in a sensitivity study is not a result.
+        // In a sensitivity study, the largest objective is not a result.
         const bool is_study = log_.campaign_.search.design.has_value();
         if (!is_study) entry_.best = summary.expected_best;
         if (!std::isnan(summary.hypervolume))
@@ -125,7 +125,7 @@ class ProgressLog::CaseWatcher : public Watcher {
 
     void on_final(const std::string& reason) override {
         to_evaluate_ = 0;
-        // The live line of several cases shows this already.
+        // With several cases, the live line already shows this.
         if (log_.columns_ > 0 && log_.cases_ > 1) return;
         log_.print(log_.campaign_.search.design
                        ? fmt::format("{}  all rows of the design are "
@@ -222,8 +222,8 @@ std::string ProgressLog::best_of(const Entry& entry) const {
 }
 
 //! Shows the live line, with data of the first case in flight. On a narrow
-//! terminal less important parts are left out, since a line that wraps could
-//! not be overwritten.
+//! terminal, less important parts are left out: a line that wraps could not be
+//! overwritten.
 void ProgressLog::show_live() {
     constexpr double calm = 0.1;  // shortest time between updates [s]
     if (columns_ == 0 || level_ < LogLevel::info || in_flight_.empty() ||

@@ -78,8 +78,8 @@ void require_same_campaign(const HistoryHeader& header,
 
 namespace {
 
-// Refuses a history of another program. Facts missing from an older history are
-// not compared.
+// Refuses a history that another program wrote. Properties that an older
+// history does not contain are not compared.
 void require_same_program(const HistoryHeader& header,
                           const std::string& path) {
     std::vector<std::string> changed;

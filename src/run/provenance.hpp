@@ -12,15 +12,15 @@ namespace ideotype {
 HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
                         const std::string& isa);
 
-//! Refuses a history of another case, or of a campaign with any difference that
-//! affects the case. Added cases are allowed.
+//! Refuses a history of another case, or of a campaign that differs in anything
+//! that affects the case. The campaign may contain additional cases.
 //! @throws Error (refused) that names each difference.
 void require_same_campaign(const HistoryHeader& header,
                            const Campaign& campaign, const Case& chosen,
                            const std::string& path);
 
-//! Refuses to resume a history written for another campaign or case, or by
-//! another program, compiler, ray tracer or C library.
+//! Refuses to resume a history if another campaign, case, program, compiler,
+//! ray tracer or C library was used to write it.
 //! @throws Error (refused) that names each difference.
 void require_resumable(const HistoryHeader& header, const Campaign& campaign,
                        const Case& chosen, const std::string& path);

@@ -30,9 +30,9 @@ Cases chosen_cases(const RunOptions& options, const Campaign& campaign) {
                : campaign_cases;
 }
 
-//! Returns the instruction set of the histories to resume, or nothing without
-//! histories. Using it again keeps results bit-identical. Refuses to overwrite
-//! a history.
+//! Returns the instruction set of the histories to resume, or nothing if there
+//! are none. With the same instruction set, results stay bit-identical. Refuses
+//! to overwrite a history.
 std::optional<std::string> isa_of_histories(const RunOptions& options,
                                             const Campaign& campaign,
                                             const Cases& chosen) {
@@ -67,7 +67,7 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
     return common;
 }
 
-//! Makes all checks that could refuse the job, before any work.
+//! Makes all checks that may lead to a refusal of the job, before any work.
 Start prepare(const RunOptions& options, const Campaign& campaign,
               const std::vector<Machine>& machines) {
     const Cases chosen = chosen_cases(options, campaign);
@@ -111,7 +111,8 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
         bounds = sweep.bounds();
     }
     // A hanging worker would block the end of MPI, but other masters may still
-    // be at work. So the job is aborted only after all masters are done.
+    // be evolving cases. Therefore abort the job only after all masters have
+    // finished.
     const bool all_answer = dispatcher->dismiss();
     crew.masters.largest(0);
     const auto counts = crew.masters.gather(to_text(bounds));
@@ -120,7 +121,7 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
         crew.job.abort(static_cast<int>(code));
     }
     if (failure) throw Error(*failure);
-    // Rank 0 prints the notes on all searches, and the next command.
+    // Rank 0 prints the notes on all searches and the next command to use.
     if (code == ExitCode::ok && crew.job.rank() == 0 &&
         options.level >= LogLevel::info) {
         const std::string path =
@@ -166,10 +167,10 @@ Genome best_of_history(const GeneSpace& genes, Genome start,
     return start;
 }
 
-//! Returns the setting "search.start=[...]" for a plant: from the measures of a
-//! crop file, or the genes of the best finalist of a history. Missing genes are
-//! those of the baseline.
-//! @throws Error if the file cannot be read or has no finalist.
+//! Returns the setting "search.start=[...]" for a plant, from the measures of a
+//! crop file or from the genes of a history's best finalist. Missing genes are
+//! taken from the baseline.
+//! @throws Error if the file cannot be read or contains no finalist.
 //! @throws InputError with all problems of a crop file.
 std::string start_setting(const Campaign& campaign, const std::string& path) {
     Genome start = baseline_genome(campaign);
@@ -216,7 +217,7 @@ Start agree(const Session& session, const std::function<Start()>& make) {
         } catch (...) {
             failure = std::current_exception();
         }
-    // On an empty text other ranks leave.
+    // Other ranks end if they receive an empty text.
     start.isa = session.broadcast(start.isa);
     if (failure) std::rethrow_exception(failure);
     if (!start.isa.empty()) start.resolved = session.broadcast(start.resolved);
@@ -229,8 +230,8 @@ AnswerRules answer_rules(const Campaign& campaign) {
 
 ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
              const Machine& machine) {
-    // Collect the machines of all ranks, and agree on campaign and instruction
-    // set.
+    // Collect the machines of all ranks; agree on the campaign and the
+    // instruction set.
     if (options.wall_time) stop.request_after(*options.wall_time);
     const std::vector<Machine> machines = gather_machines(session, machine);
     const int threads = threads_per_rank(session, options.threads);

@@ -15,7 +15,7 @@
 
 namespace ideotype {
 
-//! Returns the path of the history of a case.
+//! Returns the path of a case's history.
 std::string path_of(const std::string& out, const Campaign& campaign,
                     const CaseName& chosen);
 
@@ -28,12 +28,12 @@ struct Start {
     std::string resolved;  //!< campaign
 };
 
-//! Runs `make` on rank 0 and broadcasts its result. If it throws, the exception
-//! propagates on rank 0, and other ranks get an empty instruction set, on which
-//! they leave. Collective.
+//! Runs `make` on rank 0 and broadcasts its result. If `make` throws, rank 0
+//! throws the exception, and other ranks receive an empty instruction set,
+//! after which they end. Collective.
 Start agree(const Session& session, const std::function<Start()>& make);
 
-//! Returns the rules for waiting for answers of workers.
+//! Returns the rules that limit the time to wait for answers of workers.
 AnswerRules answer_rules(const Campaign& campaign);
 
 //! `run CAMPAIGN`: evolves one case, or all cases in one job.
@@ -43,11 +43,11 @@ struct RunOptions {
                      const std::vector<std::string>& settings) = read_campaign;
     std::string campaign_path;
     std::vector<std::string> settings;  //!< settings, "table.key=value"
-    std::string start;  //!< plant or history from which CMA-ES starts, or ""
+    std::string start;  //!< plant or history with which CMA-ES starts, or ""
     std::optional<int> case_index;
     bool is_resumed = false;
     std::string out = "results";
-    std::optional<double> wall_time;  //!< wall time of this start [s]
+    std::optional<double> wall_time;  //!< limit of this start's wall time [s]
     std::optional<std::string> isa;   //!< instruction set of new histories
     std::optional<int> threads;       //!< threads, see threads_per_rank()
     std::optional<int> masters;       //!< number of masters, see masters.hpp
@@ -57,7 +57,7 @@ struct RunOptions {
 };
 
 //! Runs a campaign. Collective over all ranks of the session.
-//! @param machine the machine of this rank
+//! @param machine machine of this rank
 ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
              const Machine& machine = this_machine());
 

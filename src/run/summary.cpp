@@ -30,8 +30,8 @@ std::size_t best_finalist(const History& history,
 
 namespace {
 
-//! Returns a note on the stop rule that ended a case; none for a study with a
-//! complete design.
+//! Returns a note on the stop rule that ended a case. A study with a complete
+//! design gets no note.
 std::string ended_by(const CaseResult& result) {
     const bool is_whole = result.is_study && result.reason == all_generations;
     return result.reason && !is_whole
@@ -50,8 +50,8 @@ double lai_of(const History& history, const Row& row) {
     return quantity(history, row, "lai").mean;
 }
 
-//! Returns the mean of b - a over common randomisations (a paired difference),
-//! with unit, and relative to a.
+//! Formats the mean of b - a over common randomisations (a paired difference),
+//! with its unit and relative to a.
 std::string gain(const Outcome& a, const Outcome& b, const std::string& unit) {
     const std::string gain_text = with_unit(format(difference(a, b)), unit);
     if (!(a.objectives.front().mean > 0)) return gain_text;
@@ -60,7 +60,7 @@ std::string gain(const Outcome& a, const Outcome& b, const std::string& unit) {
                                             select_randomisations(b))));
 }
 
-//! Returns the gain over the baseline and the leaf area indices of both plants,
+//! Formats the gain over the baseline and the leaf area indices of both plants,
 //! since leaf area may explain much of a gain.
 std::string gain_with_lai(const History& history, const Row& baseline,
                           const Row& best) {
@@ -70,7 +70,7 @@ std::string gain_with_lai(const History& history, const Row& baseline,
                        lai_of(history, best), lai_of(history, baseline));
 }
 
-//! Returns a warning about an unrealistic leaf area, or "".
+//! Returns a warning if the leaf area is unrealistic, else "".
 std::string doubt_of(const std::string& subject, double lai) {
     const std::string doubt = doubt_of_lai(lai);
     return doubt.empty() ? ""
@@ -90,9 +90,10 @@ Origin origin_of(const History& history, std::int64_t row) {
         .candidate.origin;
 }
 
-//! Returns a text with the number of leaders of an atlas (MAP-Elites archive)
-//! and of those re-evaluated during the search; "" for other searches.
-//! @param leaders rows of the baseline, then of finalists
+//! Returns a text with the number of leaders of an atlas (MAP-Elites archive),
+//! and how many of them were re-evaluated during the search; "" for other
+//! searches.
+//! @param leaders rows of the baseline, followed by those of finalists
 std::string atlas_of(const History& history, const Spec& spec,
                      const std::vector<Row>& leaders) {
     if (spec.search.axes.empty()) return "";

@@ -88,8 +88,8 @@ void Sweep::on_stop(int in_flight) {
                     way_on(options_.command, ranks_, options_.launcher)));
 }
 
-//! Evolves a case and records its failure. The parameter is a copy, since it
-//! must live as long as this coroutine.
+//! Evolves a case, and records its failure. The parameter is a copy, which
+//! exists as long as this coroutine.
 Routine<Ending> Sweep::evolve_guarded(Case chosen) {
     try {
         const Ending ending = co_await evolve_one(chosen);
@@ -118,7 +118,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
             *dispatcher_, *watcher, [began] { return now() - began; }};
         const Ending ending = co_await evolve_case(evolution, history);
         if (ending == Ending::drained) {
-            // Reports a file that was deleted since its last write.
+            // Report an error if the file was deleted after its last write.
             history.require_in_place();
             history.close();
             co_return ending;
@@ -143,8 +143,8 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     co_return Ending::finished;
 }
 
-//! Prints a line about an ended case. Cases finished before, or too many for a
-//! terminal, are only counted.
+//! Prints a line about a case that has ended. Cases that were finished before,
+//! and cases too many for a terminal, are only counted.
 void Sweep::tell(const CaseResult& result, const std::string& name,
                  bool was_finished) {
     before_ += was_finished ? 1 : 0;
@@ -183,8 +183,8 @@ History Sweep::open_history(const Case& chosen) const {
     return History::create(path, header_of(campaign_, chosen, isa_));
 }
 
-//! Opens the history of a case to resume it. It is checked again, since another
-//! job may have begun the case after the first check.
+//! Opens the history of a case to resume it. The history is checked again,
+//! since another job may have begun the case after the first check.
 History Sweep::resume_history(const Case& chosen,
                               const std::string& path) const {
     History history = History::resume(path);
@@ -199,8 +199,8 @@ History Sweep::resume_history(const Case& chosen,
     return history;
 }
 
-//! Records a case on which another job works. This is a failure only if it is
-//! the only case.
+//! Records that another job is working on a case. This is a failure only if
+//! there is no other case.
 void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
     if (chosen_.size() == 1) return note_failure(chosen, error);
     in_use_.push_back(chosen.name);
@@ -209,8 +209,8 @@ void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
                     LogLevel::warning);
 }
 
-//! Stores the handled exception. A cause outside the case, such as a full disk,
-//! also stops all other cases.
+//! Stores the exception being handled. If its cause is outside the case, such
+//! as a full disk, all other cases are stopped too.
 void Sweep::note_failure(const Case& chosen, const std::exception& error) {
     failures_.push_back(
         {chosen.name, describe_exception(error), std::current_exception()});
@@ -226,8 +226,8 @@ void Sweep::note_failure(const Case& chosen, const std::exception& error) {
     if (!is_of_case) stop_.request();
 }
 
-//! Prints the cases on which other programs work.
-//! @throws Error (refused) if they work on all cases.
+//! Prints the cases on which other programs are working.
+//! @throws Error (refused) if other programs are working on all cases.
 void Sweep::report_in_use() {
     if (in_use_.empty()) return;
     const std::string message =

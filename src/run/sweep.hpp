@@ -13,9 +13,9 @@
 
 namespace ideotype {
 
-//! Evolves the cases of one start of the program in one job. If one case fails,
-//! the others continue; if the disk fails, they are drained. All references
-//! must outlive the sweep.
+//! Evolves several cases in one job, during one start of the program. If one
+//! case fails, the others continue; if the disk fails, they are drained. All
+//! constructor arguments must outlive the sweep.
 class Sweep : public Director {
   public:
     Sweep(const RunOptions& options, const Campaign& campaign,
@@ -23,11 +23,13 @@ class Sweep : public Director {
           StopFlag& stop);
 
     //! Evolves all cases until they end or a stop is requested; returns false
-    //! if some are unfinished. @throws Error that names each failed case, or
-    //! (refused) if other jobs work on all cases.
+    //! if any are unfinished.
+    //! @throws Error that names each failed case, or Error (refused) if other
+    //! jobs are working on all cases.
     bool evolve(Dispatcher& dispatcher);
 
-    //! Returns the bound count over the best plants of ended searches.
+    //! Returns how often traits of the best plants of ended searches are at a
+    //! bound.
     const BoundCount& bounds() const { return bounds_; }
 
     bool start_next() override;
@@ -63,11 +65,12 @@ class Sweep : public Director {
     BoundCount bounds_;
     std::size_t next_ = 0;      //!< index of the next case to start
     std::size_t finished_ = 0;  //!< number of finished cases
-    std::size_t before_ = 0;    //!< number of cases that were finished before
-    std::size_t doubts_ = 0;    //!< number of cases with doubtful leaf area
-    std::string doubt_;         //!< first doubt about leaf area
+    std::size_t before_ = 0;    //!< number of cases that had finished before
+    std::size_t doubts_ = 0;  //!< number of cases with an unrealistic leaf area
+    std::string doubt_;       //!< first warning about leaf area
     bool has_said_how_to_go_on_ = false;
-    std::vector<std::string> in_use_;  //!< cases that other programs work on
+    std::vector<std::string>
+        in_use_;  //!< cases on which other programs are working
     std::vector<Failure> failures_;
     std::list<Routine<Ending>> running_;
 };

@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! The longest suffix that is added to the name of a history.
+//! The longest suffix that may be appended to the name of a history.
 constexpr std::string_view longest_suffix = ".new";
 
-//! Returns a folder, or its nearest existing parent.
+//! Returns a folder if it exists, else its nearest existing parent.
 fs::path existing(const fs::path& folder) {
     fs::path nearest = fs::absolute(folder).lexically_normal();
     std::error_code unknown;
@@ -35,7 +35,7 @@ fs::path existing(const fs::path& folder) {
 
 void require_length(const std::string& subject, const std::string& text,
                     std::size_t extra, long limit, const std::string& remedy) {
-    // -1: no limit
+    // A limit of -1 means that there is none.
     if (limit < 0 || text.size() + extra <= static_cast<std::size_t>(limit))
         return;
     throw Error(
@@ -49,8 +49,8 @@ void require_length(const std::string& subject, const std::string& text,
 
 DiskRoom disk_room(const Campaign& campaign, const Cases& chosen) {
     DiskRoom room;
-    // File sizes depend on genes, scenarios and lengths of names, so each
-    // combination is computed once.
+    // File sizes depend on the genes, the scenarios and the lengths of names.
+    // Compute each combination once.
     std::map<std::array<std::size_t, 5>, std::uint64_t> known;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const CaseName case_name = chosen.name(i);
@@ -78,7 +78,7 @@ void require_names_fit(const Campaign& campaign, const Cases& chosen,
         require_length("name of a file", path.filename().string(),
                        longest_suffix.size(), longest_name,
                        "shorten the names of site, day, spacing or traits");
-        // The limit counts the byte that ends a path.
+        // The limit includes the zero byte at the end of a path.
         require_length("path", path.string(), longest_suffix.size() + 1,
                        longest_path, "choose a shorter folder with --out");
     }

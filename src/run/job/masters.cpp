@@ -70,7 +70,7 @@ std::optional<std::string> advice_for(const Campaign& campaign,
             "more generations",
             search.streams, rows / (search.streams * population), population,
             fewest_generations, most_streams);
-    // Number of workers that may be idle at little cost.
+    // If no more workers than this are idle, the loss is small.
     constexpr int few_workers = 8;
     if (workers > few_workers && rows < fewest_generations * population) {
         const long long fewer =

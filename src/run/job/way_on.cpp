@@ -29,7 +29,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-//! Splits a line from quoted() into words. For other lines the result is
+//! Splits a line made by quoted() into words. The result for any other line is
 //! arbitrary.
 std::vector<std::string> words_of(const std::string& line) {
     std::vector<std::string> words(1);

@@ -6,16 +6,17 @@
 
 namespace ideotype {
 
-//! Quotes words for the shell, as one line.
+//! Joins words to one line, quoted for the shell.
 std::string quoted(const std::vector<std::string>& words);
 
-//! Returns whether a line has the form of quoted() and, in a shell, can only
-//! start a run of ideotype. The line may come from a history of unknown origin.
+//! Returns whether a line is of the form that quoted() makes and, in a shell,
+//! can only start a run of ideotype. The line may come from an untrusted
+//! history.
 bool is_start(const std::string& line);
 
-//! Returns the command that resumes a run as it was started, under mpirun if it
-//! had several ranks.
-//! @param command the quoted command line of the run
+//! Returns the command that resumes a run in the way it was started, with
+//! mpirun if there were several ranks.
+//! @param command quoted command line of the run
 //! @param launcher quoted words before the command; "" if they are unknown
 std::string way_on(const std::string& command, int ranks,
                    const std::string& launcher = "");

@@ -5,8 +5,9 @@
 
 namespace {
 
-//! Opens closed standard files as /dev/null, so that no history gets one of
-//! their file descriptors. Reads and writes still fail, as if they were closed.
+//! If standard files are closed, opens them as /dev/null, so that no history
+//! gets one of their file descriptors. Reading and writing still fail, as with
+//! closed files.
 void reserve_standard_files() {
     for (const int file : {0, 1, 2})
         if (fcntl(file, F_GETFD) == -1)

@@ -33,8 +33,8 @@ void check_command_name(const CLI::App& app, const std::string& word) {
                       did_you_mean(word, commands));
 }
 
-//! Returns the error about the first unknown option, or else about the first
-//! unexpected argument.
+//! Returns the error about the first unknown option or, if there is none, about
+//! the first unexpected argument.
 Error unknown_word(const CLI::App& command) {
     const std::vector<std::string> words = command.remaining();
     const auto unknown =
@@ -63,7 +63,7 @@ Error unknown_word(const CLI::App& command) {
                        nearest.empty() ? how : "did you mean " + nearest + "?");
 }
 
-//! Refuses several ranks for commands that cannot share work among ranks.
+//! Refuses several ranks if the command cannot share work among ranks.
 void require_shared_work(const CLI::App& command, const Launch& launch) {
     const std::string& name = command.get_name();
     if (launch.size == 1 || name == "run" || name == "sensitivity" ||
@@ -82,8 +82,8 @@ ExitCode code_of(const std::exception& error) {
 }
 
 int run_command(int argc, char** argv) {
-    // Writing beyond `ulimit -f` then returns an error instead of killing the
-    // process.
+    // With this, writing beyond `ulimit -f` returns an error instead of killing
+    // the process.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app(
         "Designs crop canopies: optimises the shapes of plants for light "
@@ -102,8 +102,8 @@ int run_command(int argc, char** argv) {
 
     const Launch launch = launch_of_this_process();
     // Only rank 0 reports errors of the command line. If another rank ended
-    // first with an error code, the launcher would kill rank 0 before its
-    // message.
+    // first with an error code, the launcher would kill rank 0 before it prints
+    // the message.
     const bool is_silent = launch.rank != 0;
     try {
         check_command_name(app, argc > 1 ? argv[1] : "");
@@ -146,8 +146,8 @@ int run_command_line(int argc, char** argv) {
     watch_for_foreign_end();
     const int code = run_command(argc, argv);
     end_in_order();
-    // Output may still be buffered. If an earlier write failed, errno is
-    // unknown.
+    // Output may still be buffered. The errno of an earlier failed write is not
+    // known.
     errno = 0;
     if ((std::fflush(stdout) == 0 && std::ferror(stdout) == 0) || code != 0)
         return code;

@@ -14,7 +14,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the placeholder of a value in a help text.
+//! Converts the name of a value to its placeholder in a help text.
 std::string upper_case(std::string text) {
     for (char& c : text)
         c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

@@ -33,9 +33,9 @@ const std::vector<PythonCommand>& python_commands() {
     return commands;
 }
 
-//! The Python code that runs a command. Its arguments are the message for a
-//! missing package and the words of the command. The working folder is removed
-//! from sys.path, so that its files cannot replace modules.
+//! The Python code that runs a command. Its arguments are the message to print
+//! if the package is missing, and the words of the command. It removes the
+//! working folder from sys.path, so that files there cannot replace modules.
 constexpr const char* answer_code = R"py(import sys
 sys.path[:] = filter(None, sys.path)
 try:

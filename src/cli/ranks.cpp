@@ -24,8 +24,8 @@ int number_in(const char* text, int otherwise) {
     return text != nullptr ? std::atoi(text) : otherwise;
 }
 
-//! The environment variables in which launchers state rank and size. PMIx
-//! states no size; under srun SLURM does.
+//! The environment variables in which launchers state the rank and the number
+//! of ranks. PMIx does not state the number; under srun, SLURM does.
 struct Variables {
     const char *rank, *size;
 };
@@ -35,8 +35,9 @@ constexpr std::array<Variables, 3> variables{{
     {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"},
 }};
 
-//! Refuses a job in which MPI connects fewer ranks than were started. Under the
-//! launcher of another MPI library each rank would do all the work.
+//! Refuses a job in which MPI connects fewer ranks than were started. This
+//! happens under the launcher of another MPI library, where each rank would do
+//! all the work.
 void require_all_ranks(int connected, int started) {
     if (connected >= started) return;
     throw wrong_usage(
@@ -72,7 +73,7 @@ int parse_threads(const std::string& text) {
 std::optional<std::string> process_of_mpirun() {
     std::string process = fmt::format("/proc/{}", getppid());
     if (name_of_process(process) == "hydra_pmi_proxy") {
-        // The file has "PID (NAME) STATE PARENT ...".
+        // The file begins with "PID (NAME) STATE PARENT ...".
         std::ifstream stat(process + "/stat");
         std::string word;
         for (int i = 0; i < 4; ++i) stat >> word;

@@ -43,7 +43,7 @@ std::string file_name(const std::string& path) {
     return path.substr(path.find_last_of('/') + 1);
 }
 
-//! Returns a leaf parameter as "amax 50", or as "amax 40 .. 50" if leaves
+//! Formats a leaf parameter as "amax 50", or as "amax 40 .. 50" if leaves
 //! differ.
 std::string number_text(const LeafNumber& number) {
     Extent extent;
@@ -51,8 +51,8 @@ std::string number_text(const LeafNumber& number) {
     return fmt::format("{} {}", number.name, text_of(extent, "{:g}"));
 }
 
-//! Returns the photosynthesis model and the capacities of leaves, each with the
-//! file that states it, or "default".
+//! Returns the photosynthesis model and the capacities of leaves. Each is
+//! followed by the file that states it, or by "default".
 std::string model_text(const StatedLeaves& leaves) {
     std::vector<std::pair<std::string, std::string>> parts{
         {leaves.model, leaves.file}};
@@ -83,7 +83,7 @@ std::string temperature_text(const Campaign& campaign) {
 }
 
 //! Describes the development stage of plants that do not grow, and the
-//! photosynthetic capacity of leaves that have aged.
+//! photosynthetic capacity that leaves have at this age.
 std::string static_age_text(const Campaign& campaign) {
     const double stage = campaign.spec.plant.stage;
     std::string text =

@@ -17,10 +17,10 @@ namespace ideotype {
 
 Json json_of(const CampaignCost& cost, std::size_t cases);
 
-//! Returns the cost of one case on one core, as a line.
+//! Returns a line with the cost of one case on one core.
 std::string cost_text(const CampaignCost& cost);
 
-//! Returns a table of the time of one case and of all cases by number of
+//! Returns a table with the time for one case and for all cases, by number of
 //! workers.
 std::string cost_table(const CampaignCost& cost, std::size_t cases);
 
@@ -28,7 +28,8 @@ inline Json json_of(const Extent& extent, double unit = 1) {
     return {extent.lower / unit, extent.upper / unit};
 }
 
-//! Returns "3.44", or "1.90 .. 9.50" if the printed ends differ.
+//! Formats a range as "1.90 .. 9.50", or as "3.44" if both ends would be
+//! printed alike.
 inline std::string text_of(const Extent& extent, std::string_view form,
                            double unit = 1) {
     const std::string lower =

@@ -61,8 +61,8 @@ Json to_json(const std::vector<Problem>& problems) {
     return list;
 }
 
-//! Prints index and number of evaluations, separated by a tab, of each
-//! unfinished case in a folder.
+//! Prints a line for each unfinished case in a folder: its index and its number
+//! of evaluations, separated by a tab.
 //! @throws Error (refused) if a history belongs to another campaign.
 void list_left(const Campaign& campaign, const std::string& out) {
     const Cases listed = cases(campaign);
@@ -102,7 +102,8 @@ double steps_of(const SkyOverview& sky) {
     return static_cast<double>(sky.steps);
 }
 
-//! The results of `check`, for the first case unless stated otherwise.
+//! The results of `check`. Unless stated otherwise, they apply to the first
+//! case.
 struct Findings {
     Mesh plant;
     LightSeries light;
@@ -110,12 +111,12 @@ struct Findings {
     StandsOverview stands;
     CampaignCost cost;
     DiskRoom room;
-    double excess;  //!< violation of constraints by the baseline
+    double excess;  //!< constraint violation of the baseline
     std::size_t genes, free_genes;
 };
 
-//! Returns the mean leaf area per planting position, for plants without
-//! within-line variation [m2].
+//! Returns the mean leaf area per planting position [m2], without within-line
+//! variation.
 double leaf_area_of_place(const Scene& scene, const Case& chosen) {
     double lai = 0;
     for (const Component& each : scene.components)
@@ -289,8 +290,8 @@ ExitCode check(const CheckOptions& options) try {
             list_left(campaign, options.out);
         return ExitCode::ok;
     }
-    // `check` runs no search, but most checked campaigns will; so baselines
-    // outside the bounds are reported here too.
+    // `check` runs no search, but most checked campaigns will be used for one.
+    // Therefore report baselines outside the bounds too.
     campaign.warnings.insert(campaign.warnings.end(),
                              campaign.outside_bounds.begin(),
                              campaign.outside_bounds.end());

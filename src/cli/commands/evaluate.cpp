@@ -21,7 +21,7 @@ namespace ideotype {
 namespace {
 
 //! Returns the objectives of a report. The standard error of a land equivalent
-//! ratio includes those of sole crops.
+//! ratio includes the standard errors of sole crops.
 std::vector<Measured> objectives_of(const CanopyReport& report,
                                     const Campaign& campaign) {
     std::vector<Measured> objectives;
@@ -49,7 +49,8 @@ bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
 }
 
 //! Returns whether an outcome reproduces all stored numbers of a row bit for
-//! bit. A file of an older format may lack quantities or have obsolete ones.
+//! bit. A file of an older format may lack quantities, or contain quantities
+//! that no longer exist.
 bool agrees_with(const ChosenRow& which, const Outcome& again) {
     const OutcomeSchema now = outcome_schema(which.campaign, which.chosen, {});
     const Outcome& was = which.row.outcome;
@@ -73,7 +74,7 @@ bool agrees_with(const ChosenRow& which, const Outcome& again) {
     return true;
 }
 
-//! A plant in one scenario of its case.
+//! The results of a plant in one scenario of its case.
 struct Study {
     Case scenario;
     CanopyReport report;
@@ -82,7 +83,7 @@ struct Study {
     QuantitySet measured;
 };
 
-//! Adds the name that each categorical number stands for.
+//! Adds the names of categories to categorical quantities, which are numbers.
 void add_names(const QuantitySet& measured, Json& quantities) {
     for (const Quantity& quantity : measured.quantities) {
         if (quantity.names.empty() || !quantities.contains(quantity.name))
@@ -135,8 +136,8 @@ Json to_json(const std::vector<Study>& studies) {
     return list.size() == 1 ? list.front() : Json{{"scenarios", list}};
 }
 
-//! Arranges a study for printing: scalars, each objective once, quantities, and
-//! separately the numbers that describe the method.
+//! Arranges a study for printing: scalars, each objective once, quantities and,
+//! in a separate part, the numbers that describe the method.
 Json outline(const Json& study) {
     Json quantities = Json::object(), method = Json::object();
     const std::vector<std::string> names = objective_names();
@@ -161,8 +162,8 @@ Json outline(const Json& study) {
     return numbers;
 }
 
-//! Prints the results that fit on a screen. With `is_all` it also prints
-//! profiles by leaf, layer and hour; otherwise only their names.
+//! Prints the results that fit on a screen. If `is_all`, also prints profiles
+//! by leaf, layer and hour, which are otherwise only named.
 void print_studies(const std::vector<Study>& studies, bool is_all) {
     for (const Study& study : studies) {
         if (&study != &studies.front()) fmt::print("\n");
@@ -180,7 +181,7 @@ void print_studies(const std::vector<Study>& studies, bool is_all) {
     }
 }
 
-//! Returns the outcome of a row in the form stored in a history.
+//! Returns the outcome of a row as a history stores it.
 Outcome outcome_of(const Campaign& campaign, const Case& chosen,
                    const Plant& plant, const std::vector<Study>& studies) {
     std::vector<Outcome> outcomes;
@@ -189,8 +190,8 @@ Outcome outcome_of(const Campaign& campaign, const Case& chosen,
     return AcrossScenarios(campaign, chosen).combine(outcomes);
 }
 
-//! Returns the objectives over all stages and scenarios if plants grow, else an
-//! empty object.
+//! If plants grow, returns the objectives over all stages and scenarios, else
+//! an empty object.
 Json season_of(const Campaign& campaign, const Case& chosen,
                const std::vector<Study>& studies) {
     Json season;

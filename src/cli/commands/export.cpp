@@ -33,7 +33,7 @@ std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
     return written;
 }
 
-//! Writes leaf measures with six digits; crop files have all digits.
+//! Writes leaf measures with six digits; crop files contain all digits.
 void write_csv(const std::string& path, const Plant& plant) {
     const std::vector<Measure<Leaf>> measures = written_measures(plant.leaves);
     OutputFile out(path);
@@ -50,8 +50,8 @@ void write_csv(const std::string& path, const Plant& plant) {
     out.finish();
 }
 
-//! Names the plant after the file, with characters that names do not allow
-//! replaced.
+//! Writes a crop file, in which the plant is named after the file. Characters
+//! that names do not allow are replaced.
 void write_crop_file(const std::string& path, const std::string& title,
                      const Campaign& campaign, Plant plant,
                      std::size_t component) {
@@ -81,8 +81,9 @@ std::string about_ground(const Field& field) {
                        cell.period_x, cell.period_y);
 }
 
-//! Returns the PAR absorbed by each face, of the components of a request or of
-//! the field drawn in the evaluation of the row [J m-2 day-1].
+//! Returns the PAR absorbed by each face [J m-2 day-1]. The faces are those of
+//! the request's components, or of the field that the evaluation of the row
+//! draws.
 std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
                                      std::optional<int> paths,
                                      const std::string& isa) {
@@ -93,8 +94,9 @@ std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
     return evaluate(request, Device(isa)).par().faces;
 }
 
-//! Keeps only the faces of moving objects in their pose at the strongest sun.
-//! @param light light of each face; may be empty
+//! Removes the faces of moving objects except in their pose when the sun is
+//! strongest.
+//! @param light light on each face; may be empty
 void stand_still(Shape& shape, std::vector<Estimate>& light,
                  const std::vector<Source>& sources) {
     std::uint32_t pose = 0;
@@ -158,8 +160,8 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
         write_obj(options.to, shape);
 }
 
-//! Returns a case, or one of its scenarios, with plants at the date or thermal
-//! time given as an option.
+//! Returns a case, or one of its scenarios, in which plants are at the date or
+//! thermal time given as an option.
 Case as_it_stood(const Campaign& campaign, const Case& chosen,
                  const std::string& at) {
     const std::optional<Date> date = to_date(at);

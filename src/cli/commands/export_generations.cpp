@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a unit such as "MJ m-2 day-1" as a suffix of a column name,
+//! Converts a unit such as "MJ m-2 day-1" to a suffix of a column name,
 //! "_MJ_per_m2_per_day".
 std::string suffix(const std::string& unit) {
     std::istringstream factors(unit == "1" ? "" : unit);
@@ -34,8 +34,8 @@ struct TableColumn {
     std::size_t place;  //!< index among the numbers of all quantities
 };
 
-//! Returns columns for scalars and for quantities along one axis of names.
-//! Profiles by leaf, layer and hour are in the history only.
+//! Returns columns for scalars and for quantities along a single axis of names.
+//! Profiles by leaf, layer and hour are left out; the history contains them.
 std::vector<TableColumn> columns_of(const QuantitySet& measured) {
     std::vector<TableColumn> columns;
     for (const Quantity& quantity : measured.quantities) {
@@ -74,7 +74,7 @@ void write_rows(OutputFile& out, std::uint64_t first, std::uint32_t generation,
                 const std::vector<Row>& rows) {
     for (std::size_t slot = 0; slot < rows.size(); ++slot) {
         const auto& [candidate, outcome, attempt] = rows[slot];
-        // Numbers have the fewest digits that reproduce them exactly.
+        // Print numbers with the fewest digits that reproduce them exactly.
         out.print("{},{},{},{},{},{},{},{}", first + slot, generation, slot,
                   outcome.status == Status::done ? "done" : "failed",
                   name_of(candidate.origin), candidate.parents[0],

@@ -50,8 +50,8 @@ double number(const Json& json, const char* key) {
     return json.get<double>();
 }
 
-//! Returns the values of all genes. Genes that are not free default to the
-//! baseline.
+//! Reads the values of all genes. Missing genes that are not free get the value
+//! of the baseline.
 Genome read_genome(const Json& json, const ServedCase& served) {
     const GeneSpace& genes = served.genes;
     if (!json.is_array()) refuse("genome", "an array of numbers", json);
@@ -90,9 +90,9 @@ std::vector<std::string> read_quantities(const Json& json,
     return names;
 }
 
-//! Returns numbers along axes as nested arrays; without axes, the number
-//! itself.
-//! @param next first number; advanced past the last one
+//! Arranges numbers along axes as nested arrays. Without axes, returns the
+//! number itself.
+//! @param next first number to use; advanced past the last number used
 template <class Number>
 Json along(const std::vector<std::size_t>& sizes, std::size_t axis,
            std::vector<Estimate>::const_iterator& next, Number number) {
@@ -189,8 +189,8 @@ Json parse_line(const std::string& text) try {
         return true;
     });
 } catch (const Json::exception& error) {
-    // The message is "[json.exception.parse_error.101] parse error at line 1,
-    // ...".
+    // The message begins with "[json.exception.parse_error.101] parse error at
+    // line 1, ...".
     const std::string reason = error.what();
     const std::size_t column = reason.find("column ");
     throw Error(fmt::format(
@@ -231,7 +231,7 @@ GenomeRequest read_request(const Json& json, const ServedCase& served) {
     if (json.contains("quantities"))
         request.quantities =
             read_quantities(json["quantities"], served.schema.measured);
-    // Throws if the requested accuracy is impossible.
+    // This throws if the requested accuracy is impossible.
     static_cast<void>(accuracy_of(task, served.campaign));
     return request;
 }

@@ -19,19 +19,19 @@ struct ServedCase {
     Case chosen;
     GeneSpace genes;
     Genome baseline;
-    //! The schema without objectives by randomisation, since their number
-    //! depends on the tolerance of each request.
+    //! The schema without objectives by randomisation, since the number of
+    //! randomisations depends on the tolerance of each request.
     OutcomeSchema schema;
 };
 
-//! The evaluation requested by a line.
+//! The evaluation that a line requests.
 struct GenomeRequest {
-    Json id;                 //!< identifier repeated in the answer; may be null
+    Json id;  //!< identifier that the answer repeats; may be null
     std::uint64_t line = 0;  //!< line of the request, from 1
     Genome genome;           //!< values of all genes
     Task task{};
     std::vector<std::string>
-        quantities{};  //!< reported in addition to objectives
+        quantities{};  //!< quantities to report in addition to objectives
 };
 
 //! Returns the first line of output, which describes genes, objectives and

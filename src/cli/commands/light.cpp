@@ -28,8 +28,8 @@ std::string light_name(const MeshSpec& spec) {
                        spec.sun->elevation, spec.sun->azimuth);
 }
 
-//! Returns the largest relative standard error of light absorbed by leaves in
-//! any band; infinite if no path has hit a leaf.
+//! Returns the largest relative standard error of the light that leaves absorb
+//! in any waveband; infinite if no path has hit a leaf.
 double relative_error(const MeshReport& report) {
     double largest = 0;
     for (const BandReport& band : report.canopy.bands) {
@@ -76,7 +76,7 @@ Json to_json(const MeshReport& report, const MeshSpec& spec, double seconds) {
     }
     json["paths"] = report.canopy.paths;
     const double error = relative_error(report);
-    // JSON has no infinity.
+    // JSON cannot represent infinity.
     json["relative_standard_error"] =
         std::isfinite(error) ? Json(error) : Json(nullptr);
     if (spec.paths == 0)

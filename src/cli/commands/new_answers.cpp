@@ -27,16 +27,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! The effect of a missing option.
+//! The consequence if an option is missing.
 enum class Missing { asks, asks_or_default, is_default };
 
 //! A question about the value of a key.
 struct Question {
     const char *option, *section, *key;
     std::string text;
-    std::string NewOptions::*answer;  //!< "" if it is not given
-    //! Returns the fault of an answer, or "".
-    //! @throws InputError if the answer names a file with problems.
+    std::string NewOptions::*answer;  //!< "" if not given
+    //! Describes the fault of an answer; returns "" if there is none.
+    //! @throws InputError if the answer names a file that contains problems.
     std::string (*fault)(const Question&, const std::string&);
     const char* initial = "";  //!< initial answer; "" if there is none
     Missing missing = Missing::asks;
@@ -159,7 +159,7 @@ const std::vector<Question>& questions() {
     return list;
 }
 
-//! Returns whether a campaign needs the answer. A weather file replaces the
+//! Returns whether a campaign needs the answer: a weather file replaces the
 //! date of a clear day.
 bool is_needed(const Question& question, const NewOptions& options) {
     return question.answer != &NewOptions::date || options.weather.empty();

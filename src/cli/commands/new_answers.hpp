@@ -22,9 +22,9 @@ double to_number(const std::string& answer);
 //! @throws Error (usage) if the answer is not a date.
 Date date_of(const std::string& answer);
 
-//! Checks all given answers, then asks for missing ones on a terminal.
+//! Checks all given answers, and asks for missing ones on a terminal.
 //! @throws Error (usage) with a line for each wrong or missing option.
-//! @throws InputError if only files named by options have problems.
+//! @throws InputError if the only problems are in files that options name.
 void complete(NewOptions& options);
 
 }  // namespace ideotype

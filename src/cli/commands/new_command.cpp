@@ -34,8 +34,8 @@ void write(const std::string& path, const std::string& text) {
     file.finish();
 }
 
-//! Writes a built-in crop to a file that users can edit; returns whether the
-//! file is new.
+//! Writes a built-in crop to a file that users can edit, unless the file
+//! already contains it. Returns whether it was written.
 bool place_crop(const std::string& crop, const std::string& path) {
     const std::string text = known_crop(crop).value();
     if (!fs::exists(path)) return write(path, text), true;
@@ -50,8 +50,8 @@ bool place_crop(const std::string& crop, const std::string& path) {
 }
 
 //! Writes the JSON Schema of campaigns, with which editors complete and check
-//! keys, and replaces the schema of another version; returns whether the file
-//! is new.
+//! keys. A schema of another version is replaced. Returns whether the file is
+//! new.
 bool place_schema(const std::string& path) {
     const std::string text = campaign_schema_text();
     const bool is_new = !fs::exists(path);
@@ -70,7 +70,8 @@ bool place_schema(const std::string& path) {
     return is_new;
 }
 
-//! Returns a full hour as a TOML time; 24:00, which TOML lacks, as a string.
+//! Formats a full hour as a TOML time. TOML has no time 24:00, so this is a
+//! string.
 std::string clock(double hour) {
     return hour < 24 ? fmt::format("{:02}:00:00", hour) : "\"24:00\"";
 }
@@ -98,7 +99,7 @@ std::string path_beside(const std::string& campaign, const std::string& path) {
         .generic_string();
 }
 
-//! Returns the table of a clear day from sunrise to sunset.
+//! Returns the table of a clear day, which lasts from sunrise to sunset.
 //! @throws Error if the sun does not rise.
 std::string day_text(const Site& site, const Date& date) {
     const Daylight day = daylight(site, date);
@@ -115,8 +116,8 @@ std::string day_text(const Site& site, const Date& date) {
         clock(has_night ? std::ceil(*day.sunset) : 24));
 }
 
-//! Returns the [[climate]] table of a weather file, with the recognised
-//! columns.
+//! Returns the [[climate]] table for a weather file, with the columns that were
+//! recognised.
 std::string climate_text(const NewOptions& options, const Site& site) {
     const std::string& file = options.weather;
     const WeatherDescription weather =
@@ -131,8 +132,8 @@ std::string climate_text(const NewOptions& options, const Site& site) {
            changed_keys(climate_table, &climate);
 }
 
-//! Returns the [field.variation] table with the within-line variation of the
-//! crop file, or a comment that it is unknown.
+//! Returns a [field.variation] table with the within-line variation of the crop
+//! file, or a comment that the variation is unknown.
 std::string variation_text(const std::optional<CropVariation>& known) {
     if (!known)
         return "# The crop file has no [variation]: the within-line variation "
@@ -145,10 +146,10 @@ std::string variation_text(const std::optional<CropVariation>& known) {
                                lines;
 }
 
-//! Returns the number of rows, or of plants in a row, of each of several small
-//! fields. Cells of 2 x 2 maize plants, 0.30 m long, were tested
-//! (tests/benchmark/stands.md). At closer spacing more plants are needed for
-//! the same extent.
+//! Returns the number of rows, or of plants per row, for each of several small
+//! fields. Cells of 2 x 2 maize plants with a length of 0.30 m were tested
+//! (tests/benchmark/stands.md). If plants are closer, more of them are needed
+//! for the same length.
 int count_in_cell(double distance) {
     constexpr double tested = 0.30;
     int count = 2;
@@ -157,7 +158,7 @@ int count_in_cell(double distance) {
 }
 
 //! Returns the text of a campaign file with the most important keys, their
-//! units and meanings.
+//! units and their meanings.
 //! @param bounds "\n" and a line of the table [plant], or ""
 std::string new_text(const NewOptions& options, const Crop& crop,
                      const std::string& plant, const std::string& bounds) {
@@ -181,7 +182,7 @@ std::string new_text(const NewOptions& options, const Crop& crop,
         fmt::arg("variation", variation_text(crop.variation)),
         fmt::arg("baseline", plant), fmt::arg("bounds", bounds),
         fmt::arg("objective", options.objective)));
-    // Add default values, meanings and units to its keys.
+    // Add default values, meanings and units to the keys of the text.
     std::string text, section = "top";
     bool is_after_key = false;
     for (std::string line, name; std::getline(lines, line);) {
@@ -209,7 +210,7 @@ std::string new_text(const NewOptions& options, const Crop& crop,
     return text;
 }
 
-//! Returns the text of a campaign with bounds that include the baseline.
+//! Returns the text of a campaign in which the bounds include the baseline.
 std::string text_for(const NewOptions& options, const std::string& plant) {
     const Crop crop = read_crop(plant);
     const std::string file = path_beside(options.path, plant);
@@ -229,8 +230,8 @@ std::string text_for(const NewOptions& options, const std::string& plant) {
            wider + '\n';
 }
 
-//! Returns the text of a campaign; explains errors of objectives that need
-//! tables which `new` does not write.
+//! Returns the text of a campaign after checking it. If an objective needs
+//! tables that `new` does not write, the error says so.
 std::string checked_text(const NewOptions& options, const std::string& plant) {
     try {
         return text_for(options, plant);

@@ -20,17 +20,17 @@ namespace ideotype {
 
 namespace {
 
-//! Polling interval of the input while evaluations are in flight [s]; more
-//! frequent polls would slow the evaluations.
+//! Interval at which the input is polled while evaluations are in flight [s].
+//! Polling more often would slow the evaluations.
 constexpr double attention = 1e-3;
 
-//! Polling interval of the input while idle [s].
+//! Interval at which the input is polled while no evaluation is in flight [s].
 constexpr double patience = 0.25;
 
 //! Evaluates the genomes of requests. The case must outlive the evaluator.
 class RequestEvaluator : public Evaluator {
   public:
-    //! @throws Error if the processor lacks the instruction set.
+    //! @throws Error if the processor does not support the instruction set.
     RequestEvaluator(const ServedCase& served, const std::string& isa)
         : served_(served),
           stand_(served.campaign, served.chosen),
@@ -54,14 +54,14 @@ class RequestEvaluator : public Evaluator {
     Device device_;
 };
 
-//! Answers requests until the input ends. At most one request per worker is in
-//! flight.
+//! Answers requests until the input ends. The number of requests in flight is
+//! at most that of the workers.
 class Service : public Director {
   public:
     Service(const ServedCase& served, const StopFlag& stop, const Log& log)
         : served_(served), stop_(stop), log_(log) {}
 
-    //! @throws Error if the reader of the answers is gone.
+    //! @throws Error if the output has been closed by its reader.
     ExitCode run(Dispatcher& dispatcher) {
         dispatcher_ = &dispatcher;
         const double began = now();
@@ -107,8 +107,8 @@ class Service : public Director {
         co_return true;
     }
 
-    //! Returns a genome to evaluate now. It waits for input only if nothing is
-    //! in flight, since otherwise answers would be delayed.
+    //! Returns the next genome to evaluate, if there is one. It waits for input
+    //! only if nothing is in flight, since waiting would delay answers.
     std::optional<Work> next() {
         while (!stop_.requested() && !reader_.has_ended()) {
             const bool is_idle = in_flight_.empty();
@@ -124,8 +124,8 @@ class Service : public Director {
         return std::nullopt;
     }
 
-    //! Parses the request of a line; returns nothing if the line is empty or
-    //! refused.
+    //! Parses the request in a line. Returns nothing if the line is empty or
+    //! the request is refused.
     std::optional<GenomeRequest> read(const Line& line) {
         if (line.text.find_first_not_of(" \t\r") == std::string::npos &&
             !line.is_cut)
@@ -173,7 +173,7 @@ class Service : public Director {
     std::optional<Routine<bool>> service_;
 };
 
-//! Serves a campaign; collective over all ranks.
+//! Serves a campaign. Collective over all ranks.
 ExitCode serve_on(const Session& session, const ServeOptions& options,
                   const StopFlag& stop, const Log& log) {
     const std::vector<Machine> machines =

@@ -46,16 +46,18 @@ std::vector<std::string> histories_in(const std::vector<std::string>& paths) {
     return files;
 }
 
-//! Returns the state of a case. The writer must be read before the reason: a
-//! case that ends between the two reads is finished, not drained.
+//! Returns the state of a case. Read the state of the writer before the reason:
+//! if a case ends between the two, it is then reported as finished, not as
+//! drained.
 std::string state_of(Writer writer, const std::optional<std::string>& reason) {
     if (reason) return "finished";
     if (writer == Writer::alive) return "running";
     return writer == Writer::closed ? "drained" : "dead";
 }
 
-//! Returns the command that resumes a case as it was last started; "" if that
-//! start is not fully recorded or was not by this program.
+//! Returns the command that resumes a case in the way it was last started.
+//! Returns "" if that start was not fully recorded, or was made by another
+//! program.
 std::string way_on_with(const History& history) {
     const auto last = history.last_session();
     if (!last || last->command.size() >= longest_command ||
@@ -69,8 +71,8 @@ struct CaseStatus {
     std::uint64_t missing_bytes = 0;
     CaseResult result;
     std::optional<double> rate, left;  //!< rate [evaluations/s], time left [s]
-    std::string way_on;                //!< command to resume a stopped case
-    bool has_launcher = false;         //!< whether mpirun starts this command
+    std::string way_on;                //!< command that resumes a stopped case
+    bool has_launcher = false;  //!< whether this command begins with mpirun
     bool has_one_seed = false;
 };
 
@@ -225,7 +227,7 @@ ExitCode status(const StatusOptions& options) {
             if (report.missing_bytes > 0)
                 worst = std::max(worst, ExitCode::refused);
         } catch (const Error& error) {
-            // One unreadable file must not hide other files.
+            // An unreadable file must not prevent the report on others.
             fmt::print(stderr, "{}\n", printable_lines(error.what()));
             worst = std::max(worst, error.exit_code());
             json["unreadable"].push_back(
@@ -250,7 +252,7 @@ ExitCode verify(const std::vector<std::string>& paths) {
                 "checksums\n",
                 path, verified.generations, verified.finalists);
         } catch (const Error& error) {
-            // A damaged file must not hide other files.
+            // A damaged file must not prevent the report on others.
             fmt::print(stderr, "{}\n", printable_lines(error.what()));
             worst = std::max(worst, error.exit_code());
         }

@@ -27,8 +27,8 @@ Json number_schema(const Values& values, const char* type) {
     return schema;
 }
 
-//! Returns the schema of a list of items, or of one item where a key allows
-//! that.
+//! Returns the schema of a list of items. If a key allows a single item instead
+//! of a list, the schema allows it too.
 Json list_schema(const Values& values, const Json& item) {
     Json list = {{"type", "array"}, {"items", item}};
     if (values.count == any_count) return {{"anyOf", {item, list}}};
@@ -48,7 +48,7 @@ struct TypeSchema {
 
     Json text() const {
         Json schema = {{"type", "string"}};
-        // Names that a file defines are not known here.
+        // Names that a campaign file defines are unknown to the schema.
         if (values.names != Names::none && values.names != Names::objectives)
             return schema;
         const std::vector<std::string> allowed = allowed_texts(key);
@@ -118,15 +118,16 @@ Json key_schema(const Key& key, const void* usual) {
 }
 
 //! Builds the schemas of tables. A table that occurs several times is written
-//! once, as a definition to which the other occurrences refer.
+//! once, as a definition; all occurrences refer to it.
 class Tables {
   public:
-    //! @param roots the tables of which schemas are wanted
+    //! @param roots descriptions for which schemas are needed
     explicit Tables(std::span<const Description* const> roots) {
         for (const Description* root : roots) count(*root);
     }
 
-    //! Returns the schema of objects with the keys and tables of a description.
+    //! Returns the schema of objects that contain the keys and tables of a
+    //! description.
     //! @param path path of this schema in the document
     Json object(const Description& description, const std::string& path) {
         Json schema = {{"type", "object"}, {"additionalProperties", false}};
@@ -140,7 +141,7 @@ class Tables {
         Json& properties = schema["properties"];
         for (const Key& key : description.keys()) {
             properties[key.name] = key_schema(key, description.usual());
-            // Trait sets may be empty where components are optimised.
+            // Trait sets may be empty if components are optimised.
             if (key.initial.is_required && !*key.unless &&
                 key.values.names != Names::traits)
                 schema["required"].push_back(key.name);
@@ -160,7 +161,7 @@ class Tables {
         }
     }
 
-    //! Returns the definitions of tables that schemas refer to.
+    //! Returns the definitions to which schemas refer.
     const Json& definitions() const { return definitions_; }
 
   private:
@@ -197,8 +198,8 @@ class Tables {
         return {{"$ref", place}};
     }
 
-    //! Returns the schema of a table, of a list of tables, or of a table that
-    //! may also be given as a text (a file or a rule).
+    //! Returns the schema of a table or of a list of tables. If a text (a file
+    //! or a rule) may replace the table, the schema allows it too.
     Json of(const Table& table, const Json* of_key, const std::string& path) {
         if (of_key && table.text)
             return {{"anyOf",
@@ -206,9 +207,9 @@ class Tables {
                     {"description", (*of_key)["description"]}};
         if (!table.is_list || table.text)
             return record(*table.description, path);
-        // A list of one table may be written as that table. Editors complete
-        // keys of both forms only if one schema describes them: an item is the
-        // schema itself, restricted to objects.
+        // A list with one table may be written as that table. Editors complete
+        // keys in both forms only if a single schema describes them. Therefore
+        // the schema of the items is the whole schema, restricted to objects.
         Json both = object(*table.description, path);
         both["type"] = {"array", "object"};
         both["items"] = {{"$ref", path}, {"type", "object"}};

@@ -17,19 +17,20 @@ Json in_unit(const Estimate& x, const std::string& unit) {
     return json;
 }
 
-//! Returns an object with a value for each name, computed from the index of the
-//! name.
+//! Makes an object with one member for each name. The values are computed from
+//! the indices of the names.
 template <class Value>
 Json named(const std::vector<std::string>& names, const Value& value) {
     Json json = Json::object();
-    // Names are unique, so that the linear look-up of operator[] is avoided.
+    // Append members without the linear look-up of operator[], since names are
+    // unique.
     for (std::size_t i = 0; i < names.size(); ++i)
         json.get_ref<Json::object_t&>().emplace_back(names[i], value(i));
     return json;
 }
 
-//! Writes results as fractions of the incident light.
-//! @param incident light, total or by band
+//! Adds results as fractions of the incident light.
+//! @param incident incident light, in total or by waveband
 void add(const std::vector<LightResult>& results,
          const std::vector<double>& incident, const CanopyReport& report,
          Json& json) {
@@ -66,7 +67,7 @@ void add(const std::vector<LightResult>& results,
     }
 }
 
-//! Returns whether direct sunlight reaches leaves in a step.
+//! Returns whether direct sunlight reaches leaves during a step.
 bool has_sun(const StepReport& step) {
     return step.sunlit && step.budget.leaves_beam.mean > 0;
 }
@@ -80,7 +81,7 @@ Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
     return json;
 }
 
-//! Writes the leaf area in each class of absorbed light.
+//! Returns the leaf area in each class of absorbed light.
 Json light_classes_json(const LightClassReport& classes) {
     Json json{{"ppfd_unit", "umol m-2 s-1"}, {"unit", "m2 m-2"}};
     for (std::size_t c = 0; c < ppfd_classes; ++c) {
@@ -93,7 +94,7 @@ Json light_classes_json(const LightClassReport& classes) {
     return json;
 }
 
-//! Writes the assimilation of one part of a canopy.
+//! Returns the assimilation of one part of a canopy.
 Json carbon_json(const std::vector<LightResult>& results, std::size_t part,
                  Span span) {
     Json json;
@@ -118,10 +119,10 @@ Json assimilation_json(const CanopyReport& report, Span span) {
     return json;
 }
 
-//! Writes quantities of a component or a row of the field, per area of its
-//! ground.
+//! Returns quantities of a component or of a row of the field, per ground area
+//! of this part.
 //! @param part index of the component or row
-//! @param net net assimilation; empty if leaves do not assimilate
+//! @param net net assimilation; empty if it is not computed
 Json part_json(double lai, const Randomised& light, std::size_t part,
                const std::vector<Randomised>& net) {
     Json json{{"lai", lai},

@@ -27,8 +27,8 @@ std::optional<Line> LineReader::next(double seconds) {
     }
 }
 
-//! Returns a complete line; at the end of the input also one without a line
-//! break.
+//! Returns a complete line. At the end of the input, also returns a last line
+//! without a line break.
 std::optional<Line> LineReader::take() {
     const std::size_t end = buffer_.find('\n', searched_);
     if (end == std::string::npos && (!is_closed_ || has_ended())) {
@@ -46,7 +46,7 @@ std::optional<Line> LineReader::take() {
     return line;
 }
 
-//! Returns false if nothing arrived.
+//! Reads bytes that arrive within a time; returns false if there are none.
 bool LineReader::read_more(double seconds) {
     pollfd watched{file_, POLLIN, 0};
     if (poll(&watched, 1, static_cast<int>(std::lround(1e3 * seconds))) <= 0)
@@ -68,9 +68,9 @@ constexpr auto nobody_reads =
     "nobody reads the output any more (the pipe is closed)";
 
 //! Opens the standard output of the mpirun that started this process, if it is
-//! a pipe; else returns -1. Ranks write through mpirun, which crashes or stays
-//! silent when its output is closed. A rank that holds the pipe itself gets the
-//! error.
+//! a pipe; else returns -1. Ranks write through mpirun, which crashes or
+//! reports nothing when its output is closed. If a rank opens the pipe itself,
+//! the rank gets the error.
 int pipe_of_mpirun() {
     if (!launch_of_this_process().is_launched) return -1;
     const std::optional<std::string> mpirun = process_of_mpirun();
@@ -89,7 +89,8 @@ int pipe_of_mpirun() {
 }  // namespace
 
 LineWriter::LineWriter() : file_(pipe_of_mpirun()) {
-    // A closed pipe then returns an error instead of killing the process.
+    // With this, writing to a closed pipe returns an error instead of killing
+    // the process.
     std::signal(SIGPIPE, SIG_IGN);
     if (file_ < 0) file_ = STDOUT_FILENO;
 }

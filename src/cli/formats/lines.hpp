@@ -12,22 +12,22 @@ namespace ideotype {
 struct Line {
     std::uint64_t number = 0;  //!< from 1
     std::string text;
-    bool is_cut = false;  //!< longer than LineReader::longest
+    bool is_cut = false;  //!< whether it exceeded LineReader::longest
 };
 
 //! Reads lines from a pipe, a terminal or a file as they arrive. It reads only
-//! on demand, so that a fast writer has to wait (backpressure).
+//! on demand, so that the writer waits if it is faster (backpressure).
 class LineReader {
   public:
-    //! Longest line; longer ones are cut [bytes].
+    //! Length at which longer lines are cut [bytes].
     static constexpr std::size_t longest = 1 << 20;
 
-    //! @param file file descriptor, which the caller keeps open
+    //! @param file file descriptor, which must stay open
     explicit LineReader(int file) : file_(file) {}
 
-    //! Returns the next line; nothing at the end of the input, after a timeout
-    //! [s] or a signal.
-    //! @throws Error if it cannot be read.
+    //! Returns the next line, or nothing at the end of the input, after a
+    //! number of seconds, or after a signal.
+    //! @throws Error if the input cannot be read.
     std::optional<Line> next(double seconds);
 
     //! Returns whether the input is exhausted.
@@ -38,11 +38,12 @@ class LineReader {
     bool read_more(double seconds);
 
     int file_;
-    std::string buffer_;  //!< bytes that have arrived but were not returned
+    std::string buffer_;  //!< bytes that were read but not yet returned
     std::size_t searched_ =
-        0;  //!< leading bytes of the buffer known to lack a line break
+        0;  //!< leading bytes of the buffer without a line break
     std::uint64_t lines_ = 0;  //!< number of returned lines
-    bool is_cut_ = false;  //!< the beginning of the current line was discarded
+    bool is_cut_ =
+        false;  //!< whether the beginning of the current line was discarded
     bool is_closed_ = false;
 };
 
@@ -54,7 +55,7 @@ class LineWriter {
     LineWriter(const LineWriter&) = delete;
     LineWriter& operator=(const LineWriter&) = delete;
 
-    //! @throws Error if the pipe is closed or the disk is full.
+    //! @throws Error if the reader has closed the pipe or the disk is full.
     void write(const std::string& line) const;
 
   private:

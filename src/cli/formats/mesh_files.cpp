@@ -39,7 +39,8 @@ int organ_of(const std::string& name) {
     return rank;
 }
 
-//! Writes text as VTK stores it in XML: as character codes with a final 0.
+//! Writes a text in the form that VTK XML requires: character codes with a
+//! final 0.
 void write_text(OutputFile& out, const std::string& name,
                 const std::string& text) {
     out.print(

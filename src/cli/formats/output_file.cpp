@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-//! Returns the name of an incomplete file that no other process uses.
+//! Returns a name for the incomplete file that no other process uses.
 std::string name_of_part(const std::string& path) {
     return fmt::format("{}.{:08x}.part", path, std::random_device{}());
 }
 
-//! Renames a complete file unless the name is taken; returns whether this
-//! succeeded, or sets errno.
+//! Renames a complete file unless the new name is in use. Returns whether it
+//! was renamed; if not, errno states the reason.
 bool give_name(const std::string& part, const std::string& path) {
     if (renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, path.c_str(),
                   RENAME_NOREPLACE) == 0)

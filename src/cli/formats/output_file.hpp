@@ -10,25 +10,26 @@
 
 namespace ideotype {
 
-//! Checks that a path is free for a new file.
-//! @throws Error (refused) if anything exists at this path, even a dangling
-//! symbolic link.
+//! Checks that nothing exists at the path of a new file.
+//! @throws Error (refused) if anything does, even a dangling symbolic link.
 void require_new(const std::string& path);
 
 //! A new file that gets its final name only when it is complete, and never
-//! replaces another file. Until then it has a temporary name in the same
-//! folder, and is removed if writing fails. The program writes all files but
-//! histories this way.
+//! replaces another file. Before, it has a temporary name in the same folder,
+//! and is removed if writing fails. The program writes all files except
+//! histories in this way.
 class OutputFile {
   public:
-    //! Opens the file. @throws Error if the file cannot be written, or
-    //! (refused) by require_new().
+    //! Opens the file.
+    //! @throws Error if the file cannot be written, or (refused) by
+    //! require_new().
     explicit OutputFile(const std::string& path);
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     ~OutputFile();
 
-    //! Writes text. @throws Error if writing fails, for example on a full disk.
+    //! Writes text.
+    //! @throws Error if writing fails, for example on a full disk.
     template <class... Values>
     void print(fmt::format_string<Values...> form, Values&&... values) {
         constexpr std::size_t block = 1 << 16;
@@ -37,8 +38,9 @@ class OutputFile {
         if (text_.size() >= block) flush();
     }
 
-    //! Gives the file its final name. @throws Error if the file cannot be
-    //! written, or (refused) if another file has taken the name meanwhile.
+    //! Gives the file its final name.
+    //! @throws Error if the file cannot be written, or (refused) if another
+    //! file has been created under the name meanwhile.
     void finish();
 
   private:

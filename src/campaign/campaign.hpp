@@ -59,8 +59,8 @@ struct Campaign {
     //! Parameters of heat and water exchange, if these are computed.
     std::optional<LeafWater> water{};
     Stomata stomata{};  //!< stomata of the main crop
-    std::vector<ComponentEntry>
-        components;  //!< components besides the main crop
+    //! Components besides the main crop.
+    std::vector<ComponentEntry> components;
     SearchSettings search;
     Variation varied;  //!< only traits, unless keys are varied
     //! Whether each row uses independent random numbers for light, and for

@@ -15,8 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! The number of entries on each axis that distinguish cases. An axis whose
-//! entries are scenarios counts as one entry.
+//! The number of entries on each axis that distinguish cases. An axis with
+//! scenarios counts as one entry.
 struct Axes {
     explicit Axes(const Spec& spec)
         : sites(is_over(spec, "site") ? 1 : spec.sites.size()),

@@ -32,8 +32,8 @@ struct Stage {
     //! Component::ear_share of each component; if empty, 0.
     std::vector<double> ear_shares{};
     double share = 1;  //!< approximate share of the season's carbon
-    std::optional<Date>
-        date{};  //!< date, if the stage represents a single date
+    //! Date, if the stage represents a single date.
+    std::optional<Date> date{};
 };
 
 //! The name of a case, and of its entry on each axis. If the entries of an axis

@@ -59,8 +59,8 @@ void declare_mesh_keys(CLI::App& command, GivenKeys& given);
 
 //! Selects one plant of a history.
 struct RowChoice {
-    bool is_best =
-        false;  //!< selects the best finalist, or the best plant so far
+    //! Selects the best finalist, or the best plant so far.
+    bool is_best = false;
     std::optional<std::uint32_t> generation;
     std::optional<std::uint32_t> slot;
 };
@@ -69,8 +69,8 @@ struct RowChoice {
 //! G --slot S`: recomputes a row and compares it bit for bit.
 struct EvaluateOptions {
     std::string path;  //!< a campaign or a history
-    std::vector<std::string>
-        settings;  //!< "table.key=value", for a campaign only
+    //! Settings "table.key=value", for a campaign only.
+    std::vector<std::string> settings;
     int case_index = 0;
     RowChoice row;
     bool is_json = false, is_all = false;

@@ -158,9 +158,9 @@ struct WeatherValues {
     std::optional<double> global;       //!< all solar radiation [W m-2]
     std::optional<double> beam_normal;  //!< on a plane facing the sun [W m-2]
     std::optional<double> diffuse;      //!< diffuse light [W m-2]
-    std::optional<double>
-        diffuse_fraction;        //!< diffuse part of global light, 0 to 1
-    std::optional<double> ppfd;  //!< photons as solar radiation [W m-2]
+    //! Diffuse part of global light, 0 to 1.
+    std::optional<double> diffuse_fraction;
+    std::optional<double> ppfd;         //!< photons as solar radiation [W m-2]
     std::optional<double> temperature;  //!< air temperature [deg C]
     std::optional<double> humidity;     //!< relative humidity, 0 to 1
     std::optional<double> wind;         //!< speed [m s-1]

@@ -115,8 +115,8 @@ class Columns {
     Dataset origin_;
     Dataset parents_;
     std::vector<Dataset> numbers_;  //!< columns of number_forms()
-    std::vector<hsize_t>
-        intact_;  //!< number of leading intact rows, by dataset
+    //! Number of leading intact rows, by dataset.
+    std::vector<hsize_t> intact_;
     hsize_t intact_rows_;
     hsize_t whole_rows_;
     Dataset attempt_;

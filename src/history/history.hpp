@@ -228,7 +228,7 @@ class History {
     std::unique_ptr<File> file_;
 };
 
-//! The numbers of parts of a history whose checksums were verified.
+//! The numbers of verified parts of a history.
 struct Verified {
     std::uint32_t generations = 0;
     std::uint32_t finalists = 0;

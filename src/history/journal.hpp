@@ -38,8 +38,8 @@ class Journal {
     Dataset finished_;
     Dataset reason_;
     Dataset wall_time_;
-    std::vector<Dataset>
-        sessions_;  //!< datasets in the order of session_columns
+    //! Datasets in the order of session_columns.
+    std::vector<Dataset> sessions_;
     Dataset ranks_;
     Dataset messages_;
     hsize_t sessions_used_ = 0;

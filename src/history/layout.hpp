@@ -63,8 +63,8 @@ enum class Room {
 struct DatasetForm {
     std::string name;
     hid_t type = -1;
-    std::vector<std::string>
-        axes{};              //!< names of axes in the group; none for a scalar
+    //! Names of axes in the group; none for a scalar.
+    std::vector<std::string> axes{};
     std::string unit = "1";  //!< unit; "" for texts
     std::string meaning{};
     //! Value of unwritten numbers, in the native type; null means zero.

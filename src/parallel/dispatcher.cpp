@@ -28,8 +28,8 @@ std::string describe(const Task& task) {
 }  // namespace
 
 struct Dispatcher::Assignment {
-    std::uint64_t batch =
-        0;  //!< number of the batch, which may already be closed
+    //! Number of the batch, which may already be closed.
+    std::uint64_t batch = 0;
     std::uint64_t item = 0;
     Task task;
     double began = 0;     //!< start, as a time of now() [s]

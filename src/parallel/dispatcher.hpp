@@ -46,8 +46,8 @@ struct AnswerRules {
     //! Time after which an evaluation is late [s]. The actual limit is at least
     //! 20 times the longest evaluation so far.
     double deadline = 60;
-    double final_effort =
-        1;  //!< duration of final evaluations, relative to others
+    //! Duration of final evaluations, relative to others.
+    double final_effort = 1;
     //! Largest delay with which a stop request, a passed deadline or new work
     //! of a source is noticed while evaluations are in flight [s].
     double attention = 0.25;
@@ -200,12 +200,12 @@ class [[nodiscard]] Batch {
     Record record_;
     std::uint64_t number_;
     std::uint64_t fetched_ = 0;
-    std::map<std::uint64_t, Work>
-        unanswered_;  //!< work with its latest attempt
-    std::vector<std::uint64_t>
-        waiting_;  //!< not assigned; may be answered already
-    Dispatcher::Precedence
-        precedence_;  //!< precedence of the work fetched last
+    //! Work with its latest attempt.
+    std::map<std::uint64_t, Work> unanswered_;
+    //! Not assigned; may be answered already.
+    std::vector<std::uint64_t> waiting_;
+    //! Precedence of the work fetched last.
+    Dispatcher::Precedence precedence_;
     std::coroutine_handle<> awaiting_;
     std::exception_ptr failure_;
 };

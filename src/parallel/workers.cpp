@@ -207,8 +207,8 @@ class RankWorkers : public Workers {
     const Evaluators evaluators_;
     std::unique_ptr<Workers> local_;  //!< threads of this rank, if any
     Mailbox mailbox_;
-    std::vector<std::optional<Task>>
-        tasks_;  //!< tasks of the workers on other ranks
+    //! Tasks of the workers on other ranks.
+    std::vector<std::optional<Task>> tasks_;
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace ideotype::python {
 
 namespace {
 
-//! A mesh whose faces were made by dividing polygons.
+//! A mesh with faces made by dividing polygons.
 struct Divided {
     Mesh mesh;
     std::vector<std::size_t> polygon;  //!< polygon of each face

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! A gene whose value is at one of its bounds.
+//! A gene with a value at one of its bounds.
 struct GeneAtBound {
     std::string gene;
     Bound bound;

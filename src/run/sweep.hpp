@@ -69,8 +69,8 @@ class Sweep : public Director {
     std::size_t doubts_ = 0;  //!< number of cases with an unrealistic leaf area
     std::string doubt_;       //!< first warning about leaf area
     bool has_said_how_to_go_on_ = false;
-    std::vector<std::string>
-        in_use_;  //!< cases on which other programs are working
+    //! Cases on which other programs are working.
+    std::vector<std::string> in_use_;
     std::vector<Failure> failures_;
     std::list<Routine<Ending>> running_;
 };

@@ -213,8 +213,8 @@ class Streams : public Optimizer {
 
     std::vector<Sense> senses_;
     std::vector<Stream> streams_;
-    std::vector<std::uint64_t>
-        ends_;  //!< rows up to the end of each generation
+    //! Rows up to the end of each generation.
+    std::vector<std::uint64_t> ends_;
     std::uint64_t rows_ = 0;
     Population learnt_;  //!< learnt rows of the current generation
 };

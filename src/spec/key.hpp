@@ -102,8 +102,8 @@ bool holds(const void* record) {
     return condition(*static_cast<const Record*>(record));
 }
 
-//! The declaration of a key whose value is stored in a member of a record. A
-//! record is a struct of any type.
+//! The declaration of a key. Its value is stored in a member of a record, a
+//! struct of any type.
 struct Key {
     const char* name = "";
     Values values{};
@@ -116,8 +116,8 @@ struct Key {
     std::vector<std::string> (*enumeration)() = nullptr;
     const char* unless = "";    //!< table that makes this key optional
     const char* excludes = "";  //!< key of the table that excludes this key
-    bool is_quiet =
-        false;  //!< whether texts omit the key if it has its default
+    //! Whether texts omit the key if it has its default.
+    bool is_quiet = false;
     //! Returns whether texts contain the key; null: always.
     bool (*is_written)(const void* record) = nullptr;
     Trial trial{};
@@ -243,7 +243,7 @@ struct OwnerOf<Value Record::*const> {
 
 namespace detail {
 
-//! A variable for each record type, whose address identifies the type.
+//! A variable for each record type; its address identifies the type.
 template <class Record>
 inline constexpr char mark = 0;
 
@@ -364,7 +364,7 @@ constexpr Key key(const char* name, Values values, Default initial,
     return key_of<Owner, First, Rest...>(name, values, initial, meaning);
 }
 
-//! Declares a key whose value is the record itself.
+//! Declares a key with the record itself as value.
 template <class Record>
 constexpr Key itself(const char* name, Values values, Default initial,
                      const char* meaning) {
@@ -399,13 +399,13 @@ struct Description {
     //! Returns a record in which all members have their defaults.
     const void* (*usual)() = nullptr;
     bool is_of_crop = false;  //!< whether crop files may contain the table
-    //! The declaration shared by all other keys, whose names a file chooses.
+    //! The declaration shared by all other keys; a file chooses their names.
     //! Null: the table has no other keys.
     const Key* others = nullptr;
     //! Returns the address of the value of another key in a record.
     Target (*place_of_other)(void* record, const std::string& name) = nullptr;
 
-    //! Declares other keys, whose values are stored in a map.
+    //! Declares other keys, with values stored in a map.
     template <auto map>
     constexpr Description with_others(const Key& key) const {
         Description description = *this;
@@ -425,8 +425,8 @@ struct Description {
 struct Table {
     const char* name = "";
     const Description* description = nullptr;
-    const char* meaning =
-        "";  //!< meaning of the table as a command-line option
+    //! Meaning of the table as a command-line option.
+    const char* meaning = "";
     std::size_t (*size)(const void* parent) = nullptr;
     void* (*at)(void* parent, std::size_t entry) = nullptr;
     //! Changes the number of records. Null: there is always one record.
@@ -440,8 +440,8 @@ struct Table {
     bool is_optional = false;    //!< whether the table may be omitted
     std::size_t most = 1000;     //!< largest number of entries
     const char* unless = "";     //!< table that makes this table optional
-    bool is_variable =
-        false;  //!< whether searches may vary numbers of the table
+    //! Whether searches may vary numbers of the table.
+    bool is_variable = false;
     //! Returns the name of a record's table. Null: all records use the same
     //! name.
     const std::string& (*entry_name)(const void* record) = nullptr;

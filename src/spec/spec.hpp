@@ -160,8 +160,8 @@ struct CropSpec {
     //! Name of the rule of bounds. "traits": the ranges of the traits; "":
     //! own_bounds.
     std::string rule = "traits";
-    std::vector<Range>
-        own_bounds;              //!< bounds that the campaign states, by trait
+    //! Bounds that the campaign states, by trait.
+    std::vector<Range> own_bounds;
     bool is_known = true;        //!< whether the crop's file was read
     ByBand<bool> follows{true};  //!< wavebands in which light is traced
 };
@@ -169,8 +169,8 @@ struct CropSpec {
 //! The table [plant].
 struct PlantSpec {
     CropSpec crop;
-    std::vector<std::string>
-        organs;  //!< organs that are present, in addition to leaves
+    //! Organs that are present, in addition to leaves.
+    std::vector<std::string> organs;
     //! Development stage of plants that do not grow: 0 is emergence, 1 silking
     //! and 2 maturity. It affects only the photosynthetic capacity of leaves,
     //! which changes with the age of the crop.
@@ -185,8 +185,8 @@ struct MeshContent {
     //! counted from 0.
     std::vector<double> vertices, faces;
     std::vector<std::string> groups;  //!< names of groups
-    std::vector<double>
-        face_groups;  //!< group index of each face, counted from 0
+    //! Group index of each face, counted from 0.
+    std::vector<double> face_groups;
 };
 
 //! The material of groups of a mesh. For each waveband it contains reflectance
@@ -276,7 +276,7 @@ struct ObjectiveSpec {
     //! and its standard error. If empty, the objective is not a land equivalent
     //! ratio.
     std::vector<double> sole, sole_errors;
-    //! Names of the axes whose entries are scenarios of one case.
+    //! Names of the axes with scenarios of one case as entries.
     std::vector<std::string> over;
     Across across = Across::mean;
 };

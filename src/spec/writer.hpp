@@ -42,8 +42,8 @@ std::string crop_file_text(const CropSpec& crop);
 struct AccuracyKey {
     std::string path;
     double value = 0;
-    std::vector<double>
-        values;  //!< values that `fidelity` tries, most accurate last
+    //! Values that `fidelity` tries, most accurate last.
+    std::vector<double> values;
 };
 
 //! Returns the accuracy keys of those tables that occur only once.

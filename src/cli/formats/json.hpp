@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-//! A JSON object whose members remain in the order of insertion.
+//! A JSON object that preserves the order of insertion.
 using Json = nlohmann::ordered_json;
 
 //! Returns {"mean": x, "standard_error": s}; s is null if it is unknown.

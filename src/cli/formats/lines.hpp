@@ -42,8 +42,8 @@ class LineReader {
     std::size_t searched_ =
         0;  //!< leading bytes of the buffer without a line break
     std::uint64_t lines_ = 0;  //!< number of returned lines
-    bool is_cut_ =
-        false;  //!< whether the beginning of the current line was discarded
+    //! Whether the beginning of the current line was discarded.
+    bool is_cut_ = false;
     bool is_closed_ = false;
 };
 

@@ -13,8 +13,8 @@ namespace ideotype {
 struct Shape {
     std::vector<std::string> about;  //!< comment lines of the file
     Mesh mesh;
-    std::vector<std::uint32_t>
-        face_plant;  //!< plant of each face; empty for a single plant
+    //! Plant of each face; empty for a single plant.
+    std::vector<std::uint32_t> face_plant;
     //! Ground area of the shape [m2]. To get the absorbed light per ground
     //! area, sum light times area over all faces and divide by it.
     double ground_area = 0;

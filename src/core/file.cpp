@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Reads an open file to its end, but at most `limit` bytes.
+//! Reads an open file to its end; gives up beyond `limit` bytes.
 FileText read_open(int file, std::uintmax_t limit) {
     FileText result;
     struct stat status {};

@@ -117,7 +117,7 @@ void check_list(const std::vector<double>& list, const std::string& key,
 }
 
 //! Reports weights and sole-crop yields that do not match the components, and
-//! objectives that cannot be split into components.
+//! objectives that are not sums over components.
 void check_weights(const Spec& spec, const Problems& root) {
     const ObjectiveSpec& objective = spec.objective;
     const Problems problems = root.in("objective");

@@ -9,8 +9,8 @@
 
 namespace ideotype {
 
-//! Returns a small complete campaign with a plant of one leaf inline. `top` is
-//! put before the first table, `more` after the last one.
+//! Returns a small complete campaign with an inline plant of one leaf. `top` is
+//! inserted before the first table, `more` is appended to the end.
 inline std::string sample_text(const std::string& top = "",
                                const std::string& more = "",
                                const std::string& bounds = "\"paper\"") {
@@ -52,7 +52,7 @@ inline Campaign ames() {
     return read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml");
 }
 
-//! Returns a text in which another part replaces the first place of a part.
+//! Returns the text with the first occurrence of `old` replaced.
 inline std::string replaced(std::string text, const std::string& old,
                             const std::string& to) {
     const std::size_t at = text.find(old);
@@ -60,7 +60,7 @@ inline std::string replaced(std::string text, const std::string& old,
     return text.replace(at, old.size(), to);
 }
 
-//! Returns the message of the error that the text of a campaign has, or "".
+//! Returns the error message for the text of a campaign, or "" if it is valid.
 inline std::string problem_of(const std::string& text) {
     try {
         parse_campaign(text, "sample.toml");

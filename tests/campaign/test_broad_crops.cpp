@@ -13,7 +13,7 @@ std::string crop_file(const std::string& name) {
     return IDEOTYPE_CAMPAIGNS "/crops/" + name + ".toml";
 }
 
-//! A crop of one leaf with a petiole and without an insertion height.
+//! A crop of one leaf with a petiole, for which no insertion height is stated.
 std::string broad_text(const std::string& leaf, const std::string& more) {
     std::string text = sample_text("", more);
     const std::string height = "insertion_height = 0.2\n";

@@ -30,8 +30,8 @@ std::string without(std::string text, const std::string& unwanted) {
     return text;
 }
 
-//! Returns the messages of a campaign file, with names of files relative to its
-//! folder; empty if there is no error.
+//! Returns the error messages for a campaign file, with file names relative to
+//! its folder; empty if there is no error.
 std::string messages(const fs::path& path) {
     try {
         require_breedable(read_campaign(path.string()));
@@ -137,7 +137,7 @@ TEST(BrokenCampaign, OversizedInputIsRefusedBeforeAnyWork) {
         problem_of(sample_text("replicates = 1000\n",
                                "[objective]\nover = \"spacing\"\n" + spacings)),
         "");
-    // A history numbers its rows with 32 bits.
+    // The number of rows must fit in 32 bits, in which histories number them.
     const std::string stop = "[search]\npopulation = 100000\n[stop]\n";
     refuses(sample_text("", stop + "generations = 21475\n"),
             "stop.generations is 21475 (with a population of 100000 a history "
@@ -163,8 +163,8 @@ TEST(BrokenCampaign, OversizedInputIsRefusedBeforeAnyWork) {
     refuses(text, "that is 1311180 instants");
 }
 
-//! Returns the table of an object with one triangle of this width and height
-//! [m] with its foot at z [m].
+//! Returns a table [[object]]: one triangle of the given width and height [m]
+//! with its lowest point at z [m].
 std::string object(double width, double height, double z) {
     return fmt::format(
         "[[object]]\nname = \"post\"\nz = {}\nfaces = [0, 1, 2, 2]\n"
@@ -173,7 +173,8 @@ std::string object(double width, double height, double z) {
 }
 
 TEST(BrokenCampaign, ObjectsMuchLargerThanTheCellAreRefused) {
-    // The cell is 4 rows of 0.762 m wide and 4 plants of 0.1524 m long.
+    // The cell consists of 4 rows, 0.762 m apart, with 4 plants each, 0.1524 m
+    // apart.
     EXPECT_EQ(problem_of(sample_text("", object(300, 1, 0))), "");
     EXPECT_EQ(problem_of(sample_text("", object(0.1, 600, 0))), "");
     const std::string wide = problem_of(sample_text("", object(1e6, 1, 0)));
@@ -187,7 +188,7 @@ TEST(BrokenCampaign, ObjectsMuchLargerThanTheCellAreRefused) {
     EXPECT_NE(high.find("is 1e+06 m high over a period of 0.6096 m"),
               std::string::npos)
         << high;
-    // Turned and enlarged cells count.
+    // The limit follows the rotation and the size of the cell.
     const std::string more = "[field]\nrows = 20\n" + object(1000, 1, 0);
     EXPECT_EQ(problem_of(sample_text("", more)), "");
     EXPECT_NE(problem_of(sample_text("", more + "turn = 90\n")).find("along y"),
@@ -373,7 +374,8 @@ TEST(BrokenCampaign, RemediesAreValid) {
            "stop.generations is 2 (the first generation of auto has three "
            "times search.population plants, so that nothing would be "
            "evaluated); use 3 or more");
-    // A campaign without an optimizer may know nothing of auto.
+    // A message to a user who has not chosen an optimizer must not mention
+    // `auto`.
     expect(problem_of(sample_text("", "[stop]\ngenerations = 2\n")),
            "stop.generations is 2 (the optimizer is \"auto\", since "
            "search.optimizer is not given; the first generation of auto has "

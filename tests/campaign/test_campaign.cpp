@@ -44,7 +44,7 @@ TEST(Campaign, AmesIsTheStudyOfThePaper) {
 TEST(Campaign, TheDefaultOptimizerIsAuto) {
     const Campaign campaign = sample();
     EXPECT_EQ(campaign.search.optimizer, OptimizerKind::automatic);
-    // One leaf has four genes: 2.5 (4 + 3 ln 4).
+    // A plant of one leaf with four genes: 2.5 (4 + 3 ln 4).
     EXPECT_EQ(campaign.search.population, 20);
 }
 
@@ -169,7 +169,7 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     EXPECT_EQ(again.bounds[3].upper, 360);
 }
 
-// Keys that were removed have no effect in histories of earlier versions.
+// Keys that no longer exist are ignored in histories of earlier versions.
 TEST(Campaign, OfAHistoryWarnsOnceAboutKeysThatThisVersionLacks) {
     const auto of_history = [](const std::string& step,
                                const std::string& base) {
@@ -308,8 +308,8 @@ TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
     EXPECT_NE(problem_of(text("net_assimilaton"))
                   .find("did you mean 'net_assimilation'?"),
               std::string::npos);
-    // A name that resembles no quantity is answered with the names of all
-    // quantities but those of the method.
+    // For an unknown name without a similar quantity the message lists all
+    // quantities, except those that describe the method.
     const std::string message = problem_of(text("xyz"));
     EXPECT_NE(message.find("use one of absorbed_par, "), std::string::npos)
         << message;

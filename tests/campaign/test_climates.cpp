@@ -164,7 +164,7 @@ TEST(Climates, NearInfraredIsStoredIfItIsTraced) {
         EXPECT_EQ(step.par.beam, usual.spec.weathers[0].beam[0][i]);
         EXPECT_EQ(step.par.diffuse, usual.spec.weathers[0].diffuse[0][i]);
     }
-    // Near infrared exceeds PAR, which is 8.681 MJ m-2 a day.
+    // Near infrared exceeds PAR, which is 8.681 MJ m-2 per day.
     EXPECT_NEAR(nir * 3600 / light.days / light.incident(), 1.287, .01);
     EXPECT_NE(problem_of(replaced(resolved, "nir_beam = [0, ", "nir_beam = ["))
                   .find("weather.nir_beam has 1487 values"),
@@ -189,7 +189,8 @@ TEST(Climates, EachSiteMayHaveAWeatherFile) {
     std::ofstream(other) << text;
     const Campaign campaign = read_campaign(other);
     EXPECT_NE(campaign.resolved.find("weather = \"" + file), std::string::npos);
-    // The place decides where the sun stands; its elevation changes no light.
+    // The site determines the position of the sun; the elevation of the site
+    // has no effect on measured light.
     const Campaign usual = bondville();
     expect_same(light_of(campaign, cases(campaign)[0]),
                 light_of(usual, cases(usual)[0]));
@@ -206,7 +207,7 @@ TEST(Climates, AnotherFileIsAnotherCampaign) {
                                    cases(campaign).front());
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0].substr(0, 22), "weather[0].sha256 was ");
-    // The message does not list all 1488 numbers.
+    // The message must not list all 1488 values.
     EXPECT_LT(lines[1].size(), 200u);
 }
 

@@ -105,16 +105,16 @@ TEST(Constraints, LeavesMayBeRequiredToBeDistichous) {
         return excess(limit, plant_of(leaves));
     };
     EXPECT_EQ(violation_of({90, 270, 90, 270}), 0);
-    // Any plane will do, even one in which no leaf lies.
+    // The leaves lie in one plane, at any azimuth.
     for (const double plane : {0., 47., 175., 200., 359.})
         EXPECT_EQ(
             violation_of({plane - 10, plane + 190, plane + 10, plane - 190}), 0)
             << plane;
-    // All leaves are 15 deg from the plane in their middle: half of the limit
-    // more.
+    // All leaves deviate by 15 deg from their mean plane, which exceeds the
+    // limit by half.
     EXPECT_NEAR(violation_of({90, 270, 120, 270}), 2, 1e-9);
     EXPECT_NEAR(violation_of({350, 170, 20, 170}), 2, 1e-9);
-    // All leaves point to one side.
+    // All leaves point to the same side.
     EXPECT_GT(violation_of({90, 90}), 10);
 }
 

@@ -50,13 +50,14 @@ TEST(Campaign, VariationOfACropFileDoesNotChangeCampaigns) {
     EXPECT_TRUE(campaign.crop.variation);
     EXPECT_FALSE(campaign.spec.field.variation.is_any());
     EXPECT_EQ(campaign.resolved.find("variation"), std::string::npos);
-    // A campaign that has the tables of a crop file may have this one too.
+    // A table that is valid in a crop file is also valid in a campaign with an
+    // inline crop.
     const Campaign inlined = parse_campaign(
         sample_text("", "[plant.baseline.variation]\nlength = 0.1\n"),
         "sample.toml");
     EXPECT_FALSE(inlined.spec.field.variation.is_any());
     EXPECT_EQ(inlined.resolved.find("variation"), std::string::npos);
-    // Wrong keys in it are found.
+    // Unknown keys in this table are reported.
     const std::string wrong = temporary_file("wrong.toml");
     std::filesystem::copy_file(
         path, wrong, std::filesystem::copy_options::overwrite_existing);
@@ -71,7 +72,7 @@ TEST(Campaign, CropFilesDescribeTheKnownPlants) {
     EXPECT_EQ(b73.leaves[1].insertion_angle, 31.4);
     EXPECT_EQ(b73.leaves[0].curvature, 125);
     EXPECT_EQ(b73.leaves[9].insertion_height, 1.61);
-    // The leaf area index is that of 86,111 plants per hectare.
+    // The expected leaf area index is that of 86,111 plants per hectare.
     double area = 0;
     for (const Leaf& leaf : b73.leaves)
         area += 0.7455 * leaf.length * leaf.width;
@@ -86,7 +87,7 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
     for (const Leaf& leaf : elite.leaves)
         area += 0.7455 * leaf.length * leaf.width;
     EXPECT_NEAR(area / (0.762 * 0.1524), 4.7, 0.05);
-    // The droops of this plant are those of version 0.2.
+    // The leaf angles of this plant are those of version 0.2.
     const Plant b73 =
         read_crop(IDEOTYPE_CAMPAIGNS "/plants/maize_v02.toml").baseline;
     for (std::size_t i = 0; i < 10; ++i) {
@@ -113,7 +114,7 @@ TEST(Campaign, TheHybridOfTodayIsMoreErectAndLargerThanThatOfThe1980s) {
         sum += change.back();
         area += 0.7455 * leaf.length * leaf.width;
         EXPECT_EQ(leaf.insertion_height, before.leaves[i].insertion_height);
-        // Sizes grow alike in all leaves.
+        // All leaves are enlarged by the same factor.
         EXPECT_NEAR(leaf.length / before.leaves[i].length, 1.147, .002);
         EXPECT_NEAR(leaf.width / before.leaves[i].width, 1.147, .002);
     }
@@ -193,7 +194,7 @@ TEST(Campaign, BoundsApplyToFreeTraitsOnly) {
                 lines,
             (place / "mine.toml").string());
     };
-    // Commands that breed nothing take the plant.
+    // Commands that do not search accept the plant.
     const Campaign mine = campaign_with("bounds = \"biological\"\n");
     EXPECT_EQ(mine.crop.baseline.leaves[8].insertion_angle, 5);
     EXPECT_THROW(require_breedable(mine), InputError);
@@ -214,17 +215,20 @@ TEST(Campaign, CropFilesStateOpticsAndCapacityOfLeaves) {
     ASSERT_TRUE(campaign.photosynthesis);
     EXPECT_EQ(campaign.photosynthesis->profile, CapacityProfile::rank);
     EXPECT_EQ(campaign.photosynthesis->rank_capacity.size(), 13u);
-    // Optics of a campaign replace the crop's; light alone needs no rates.
+    // Optics of the campaign replace those of the crop. Evaluating light alone
+    // requires no photosynthetic rates.
     EXPECT_EQ(ames().spec.plant.crop.optics[0].leaf.reflectance, .05);
     EXPECT_FALSE(ames().photosynthesis);
 }
 
-//! Returns the rates of the leaves of the sample with this [photosynthesis].
+//! Returns the rates of the leaves of the sample campaign with the given
+//! [photosynthesis] table.
 std::vector<LeafRates> rates_with(const std::string& table) {
     return sample("", "[photosynthesis]\n" + table).photosynthesis->rates;
 }
 
-//! Returns the first problem of the sample with this [photosynthesis].
+//! Returns the first problem of the sample campaign with the given
+//! [photosynthesis] table.
 std::string problem_with(const std::string& table) {
     try {
         rates_with(table);
@@ -239,7 +243,7 @@ TEST(Campaign, ARateInFullLightGivesTheCapacity) {
         rates_with("phi = 0.067\ntheta = 0.83\nrate_2000 = 50\n").front());
     EXPECT_NEAR(leaf.response.gross(2000), 50, 1e-12);
     EXPECT_NEAR(leaf.response.amax, 55.06, 0.005);
-    // Each leaf has its own rate.
+    // Leaves may differ in their rates.
     const std::vector<LeafRates> leaves =
         rates_with("rate_2000 = [30]\nphi = [0.05]\n");
     EXPECT_NEAR(std::get<HyperbolaLeaf>(leaves.back()).response.gross(2000), 30,
@@ -284,7 +288,7 @@ TEST(Campaign, KeysOfACampaignReplaceTheCapacityOfItsCrop) {
     EXPECT_EQ(amax_with("photosynthesis.amax=50"), 50);
     EXPECT_NEAR(amax_with("photosynthesis.rate_2000=50"), 60.714, 1e-3);
     EXPECT_NE(amax_with("photosynthesis.theta=0.8"), 50);
-    // Numbers of the crop's model are no numbers of another.
+    // Parameters of the crop's model are not passed to another model.
     const auto collatz =
         std::get<CollatzLeaf>(leaf_with("photosynthesis.model=\"collatz\""));
     EXPECT_EQ(collatz.vmax, CollatzLeaf{}.vmax);
@@ -298,7 +302,7 @@ TEST(Campaign, CropsWithoutPhotosynthesisCauseAWarningWhereCarbonCounts) {
     };
     const std::string carbon = "[objective]\nmaximise = \"carbon_balance\"\n";
     EXPECT_TRUE(warnings("").empty()) << "light needs no photosynthesis";
-    // One warning, whatever the number of cases.
+    // The warning is given once, whatever the number of cases.
     const std::vector<Problem> doubts =
         warnings(carbon +
                      "[[traits]]\nname = \"a\"\nfree = [\"length\"]\n"
@@ -314,7 +318,7 @@ TEST(Campaign, CropsWithoutPhotosynthesisCauseAWarningWhereCarbonCounts) {
         doubts.front().what.find("with model = \"farquhar\" for a C3 crop, "
                                  "or \"hyperbola\" or \"collatz\" for a C4"),
         std::string::npos);
-    // An axis of an atlas counts carbon as well.
+    // Axes of an atlas also require the costs of carbon.
     EXPECT_EQ(warnings("[search]\noptimizer = \"atlas\"\n[[search.axes]]\n"
                        "quantity = \"net_assimilation\"\nrange = [0, 2]\n")
                   .size(),
@@ -326,7 +330,7 @@ TEST(Campaign, CropsWithoutPhotosynthesisCauseAWarningWhereCarbonCounts) {
             << stated;
     EXPECT_EQ(
         warnings(carbon + "[photosynthesis]\nprofile = \"none\"\n").size(), 1u);
-    // The leaves of components are those of their crops.
+    // Components take their leaves from their crop files.
     const std::string neighbour =
         "[photosynthesis]\nmodel = \"farquhar\"\n[[component]]\n"
         "name = \"other\"\nrows = [2]\n[component.crop]\nname = \"grass\"\n"
@@ -374,19 +378,20 @@ TEST(Campaign, BiologicalBoundsFollowEachLeaf) {
             if (gene.name == name) return Range{gene.lower, gene.upper};
         return Range{};
     };
-    // Leaf 4 has 0.92 m x 0.102 m.
+    // Leaf 4 is 0.92 m long and 0.102 m wide.
     EXPECT_DOUBLE_EQ(bounds("leaf04_length").lower, 0.65 * 0.92);
     EXPECT_EQ(bounds("leaf04_length").upper, 1.10);
     EXPECT_DOUBLE_EQ(bounds("leaf04_width").lower, 0.65 * 0.102);
     EXPECT_DOUBLE_EQ(bounds("leaf04_width").upper, 1.35 * 0.102);
     EXPECT_EQ(bounds("leaf04_insertion_angle").lower, 10);
     EXPECT_EQ(bounds("leaf04_insertion_angle").upper, 80);
-    // Leaf 10 has 0.50 m.
+    // Leaf 10 is 0.50 m long.
     EXPECT_EQ(bounds("leaf10_length").lower, 0.40);
     EXPECT_DOUBLE_EQ(bounds("leaf10_length").upper, 1.35 * 0.50);
 }
 
-//! Returns the sample with these lines of a leaf instead of its angles.
+//! Returns the sample campaign with the given lines instead of the angles of
+//! its leaf.
 std::string with_leaf(const std::string& lines) {
     std::string text = sample_text();
     for (const char* key : {"insertion_angle = ", "curvature = "}) {
@@ -403,7 +408,7 @@ TEST(Campaign, AnglesOfALeafFollowFromItsMidrib) {
     const Leaf& leaf = campaign.crop.baseline.leaves[0];
     EXPECT_NEAR(leaf.insertion_angle, 45, 1e-9);
     EXPECT_NEAR(leaf.curvature, 45, 1e-9);
-    // The resolved text makes the same plant.
+    // Reading the resolved text yields the same plant.
     EXPECT_EQ(parse_campaign(campaign.resolved, "a.toml").resolved,
               campaign.resolved);
 }

@@ -12,7 +12,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-//! Returns the changes that concern the first case.
+//! Returns the differences that affect the first case.
 Lines changes(const std::string& was, const std::string& is) {
     const Campaign campaign = sample();
     return differences(read_resolved(was), read_resolved(is),
@@ -70,7 +70,7 @@ TEST(Differences, IgnoreEntriesOfOtherCases) {
         "[[traits]]\nname = \"all\"\nfree = [\"length\", \"width\", "
         "\"insertion_angle\", \"azimuth\"]\n";
     const std::string was = sample().resolved;
-    // New entries stand before and behind the old ones.
+    // The new entries precede and follow the old ones.
     const std::string before =
         sample("replicates = 3\n" + site, more + text).resolved;
     const std::string behind = sample("", text + more + site).resolved;

@@ -8,8 +8,7 @@
 namespace ideotype {
 namespace {
 
-//! Returns a table of two traits, in which a test may replace a part by a
-//! mistake.
+//! Returns a table of two traits; a test may replace `part` by a mistake.
 std::string lines(const std::string& part = "", const std::string& wrong = "") {
     std::string text = R"([feasibility]
 limit = 2

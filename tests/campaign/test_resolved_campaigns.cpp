@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* golden = IDEOTYPE_TEST_DATA "/golden/resolved.txt";
 
-//! The SHA-256 of the resolved text of each campaign, by the file's name.
+//! SHA-256 digests of the resolved texts of campaigns, by file name.
 using Digests = std::map<std::string, std::string>;
 
-//! Returns the digests of all files in the folder of campaigns; their
-//! subfolders have crops, plants and weather.
+//! Returns the digests of all campaigns in the folder. Its subfolders contain
+//! crops, plants and weather.
 Digests found_digests() {
     Digests digests;
     for (const auto& entry : fs::directory_iterator(IDEOTYPE_CAMPAIGNS))
@@ -47,7 +47,8 @@ void write(const Digests& digests) {
 
 }  // namespace
 
-// Histories keep the resolved text, and a run continues only with the same one.
+// Histories store the resolved text, and a run resumes only if the text is
+// unchanged.
 TEST(ResolvedCampaign, TextsOfAllCampaignsHaveTheSameBits) {
     const Digests digests = found_digests();
     if (std::getenv("IDEOTYPE_WRITE_GOLDEN")) write(digests);

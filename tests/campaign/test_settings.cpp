@@ -52,7 +52,7 @@ TEST(Settings, ATableReplacesTheWholeTableOfTheFile) {
     EXPECT_FALSE(field.variation.is_any());
     EXPECT_EQ(field.jitter, FieldForm{}.jitter);
 
-    // The one table of a list, too.
+    // This also holds if the list has only one table.
     const Campaign turned = read({"panel=[]", "spacing={row=1, plant=0.2}"});
     EXPECT_EQ(turned.spec.spacings.at(0).value.row_direction,
               Spacing{}.row_direction);
@@ -114,7 +114,7 @@ TEST(Settings, AccuracyKeysAreDeclared) {
               "day.step_minutes=30 field.rows=5 field.plants=4 "
               "plant.cells_along=12 plant.stalk_sides=8 "
               "light.tolerance=0.01 ");
-    // The plants of an isolated plot are no matter of accuracy.
+    // The number of plants of an isolated plot is not a setting of accuracy.
     EXPECT_EQ(accuracy_keys({"light.tolerance=0", "light.paths=512",
                              "field.boundary=isolated", "plant.organs=[]"}),
               "day.step_minutes=30 plant.cells_along=12 light.paths=512 ");
@@ -185,7 +185,7 @@ TEST(Settings, AStartIsAWholeGenomeWithinItsBounds) {
     EXPECT_THROW(read_campaign(ames, {cma, start()}), InputError);
 }
 
-// Histories and files of earlier versions have these keys.
+// These keys occur in histories and files of earlier versions.
 TEST(Settings, StudiesReplaceTheSearch) {
     const Campaign study = read_study(ames, {"sensitivity.samples=40"});
     ASSERT_TRUE(study.search.design);

@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the sample with another value in one of its lines.
+//! Returns the sample campaign with one value replaced in the given line.
 std::string with(const std::string& line, const std::string& other) {
     return replaced(sample_text(), line, other);
 }
@@ -43,7 +43,7 @@ TEST(SkyChecks, ADayWithoutLightIsRefused) {
 }
 
 TEST(SkyChecks, ClocksFarFromSolarTimeCauseAWarningThenAnError) {
-    // At 93.6 degrees west the sun's clock is UTC - 6.24 h.
+    // At longitude 93.6 deg west, local solar time is UTC - 6.24 h.
     for (const double fine : {-8.2, -6.0, -5.0, -4.3})
         EXPECT_EQ(warnings_of(with_utc_offset(fine)), "") << fine;
     EXPECT_NE(warnings_of(with_utc_offset(-4)).find("2.2 h ahead of the sun's"),
@@ -89,7 +89,8 @@ TEST(SkyChecks, CampaignsOfTheProjectCauseNoWarning) {
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS))
         if (entry.path().extension() == ".toml") {
             ++campaigns;
-            // The densest spacings are meant to be denser than fields.
+            // The densest spacings of this campaign exceed those of real fields
+            // on purpose.
             const bool is_dense = entry.path().stem() == "spacings";
             for (const Problem& warning :
                  read_campaign(entry.path().string()).warnings)
@@ -100,8 +101,8 @@ TEST(SkyChecks, CampaignsOfTheProjectCauseNoWarning) {
     EXPECT_GE(campaigns, 8);
 }
 
-//! 16 plants of one leaf have 768 pieces, and 72 paths in each of 16
-//! randomisations are 1.5 paths for each.
+//! 16 plants of one leaf have 768 pieces. With 72 paths in each of 16
+//! randomisations there are 1.5 paths per piece.
 TEST(Light, TooFewPathsForAssimilationCauseAWarning) {
     const auto warnings = [](const std::string& objective, int paths,
                              const std::string& more = "") {
@@ -117,7 +118,7 @@ TEST(Light, TooFewPathsForAssimilationCauseAWarning) {
                 testing::HasSubstr("use 72 or more"));
     EXPECT_EQ(warnings("net_assimilation", 72), "");
     EXPECT_EQ(warnings("absorbed_par", 16), "");
-    // Each field needs as many.
+    // Each of several fields requires this number of paths.
     EXPECT_THAT(warnings("carbon_balance", 72, "fields = 4\n"),
                 testing::HasSubstr("use 288 or more"));
 }

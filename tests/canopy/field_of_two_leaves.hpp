@@ -14,10 +14,10 @@
 
 namespace ideotype {
 
-//! Whether all randomisations share one field or each has a separate field.
+//! Whether all randomisations share one field, or each has its own.
 enum class Fields { one, each };
 
-//! Plants of two leaves as they are evaluated.
+//! A test of plants of two leaves, with a request for their evaluation.
 class TwoLeaves : public ::testing::Test {
   protected:
     CanopyReport evaluated(Fields fields = Fields::one) {
@@ -30,7 +30,7 @@ class TwoLeaves : public ::testing::Test {
     CanopyRequest request = two_leaves({512, 8});
 };
 
-//! Plants of two leaves that are turned at random, in one field.
+//! A test of plants of two leaves with random azimuths in one field.
 class FieldOfTwoLeaves : public ::testing::Test {
   protected:
     explicit FieldOfTwoLeaves(double erect = 0)

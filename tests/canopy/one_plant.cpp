@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates plants of two leaves on a clear day with nothing but the canopy
-// library.
+// Evaluates plants of two leaves on a clear day; links only the canopy library.
 #include <cstdio>
 
 #include "ideotype/canopy/canopy.hpp"

@@ -18,7 +18,7 @@ namespace {
 
 class Assimilating : public FieldOfTwoLeaves {
   protected:
-    //! Returns the gross assimilation of a day [mol m-2].
+    //! Returns the daily gross assimilation [mol m-2].
     Estimate gross(const Accuracy& accuracy, std::uint64_t seed) const {
         std::vector<double> values;
         const FluxTallies fluxes = assimilate(
@@ -39,7 +39,7 @@ TEST_F(Assimilating, FewPathsDoNotBiasAssimilation) {
     constexpr int runs = 1000;
     std::vector<double> found;
     double variance = 0;
-    int beyond = 0;  // runs off by more than two standard errors
+    int beyond = 0;  // runs that deviate by more than two standard errors
     for (int seed = 1; seed <= runs; ++seed) {
         const Estimate one = gross({128, 16}, static_cast<std::uint64_t>(seed));
         found.push_back(one.mean);
@@ -55,7 +55,7 @@ TEST_F(Assimilating, FewPathsDoNotBiasAssimilation) {
     EXPECT_LT(beyond, .09 * runs);
 }
 
-//! Leaves of two triangles each, which shade each other.
+//! Makes leaves of two triangles each, which shade each other.
 Mesh small_leaves() {
     Mesh mesh;
     mesh.groups = {{"leaf01", {0, 0, 1}}};
@@ -81,7 +81,7 @@ Mesh small_leaves() {
     return mesh;
 }
 
-//! Pieces as large as the faces would make assimilation 1 % too high.
+//! Without smaller pieces than whole faces, assimilation would be 1 % too high.
 TEST(SmallLeaves, AssimilateAsTheirPointsDo) {
     const Device device(Device::supported_isas().back());
     CanopyRequest request = two_leaves({1 << 20, 16, 3e-4});
@@ -104,7 +104,7 @@ TEST(SmallLeaves, AssimilateAsTheirPointsDo) {
     EXPECT_NEAR(found.mean, exact.mean, 3 * error + 1e-3 * exact.mean);
 }
 
-//! Each component assimilates by its own model.
+//! Each component assimilates according to its own model.
 TEST(SmallLeaves, OfC3AmongC4AssimilateAsTheirPointsDo) {
     const Device device(Device::supported_isas().back());
     CanopyRequest request = two_leaves({1 << 20, 16, 3e-4});
@@ -140,7 +140,7 @@ TEST(SmallLeaves, OfC3AmongC4AssimilateAsTheirPointsDo) {
                 dark_respiration(FarquharLeaf{}, 30) /
                     dark_respiration(CollatzLeaf{}, 30),
                 1e-9);
-    // In light of the same strength the C4 leaf assimilates more.
+    // Under equal light the C4 leaf assimilates more than the C3 leaf.
     EXPECT_GT(found[1].gross.mean, 1.05 * found[0].gross.mean);
 }
 
@@ -186,7 +186,8 @@ TEST_F(TwoLeaves, AssimilationOfDaysAndHoursSumsToThatOfTheMeanDay) {
     EXPECT_GT(all.gross.dates[0].mean, all.gross.dates[2].mean);
 }
 
-//! Returns a horizontal black leaf over all of the ground, in so many instants.
+//! Returns a horizontal black leaf that covers the ground, under each of the
+//! given time steps.
 CanopyRequest black_sheet(const std::vector<TimeStep>& steps) {
     CanopyRequest request = two_leaves({64, 8});
     Scene& scene = request.scene;
@@ -250,8 +251,7 @@ TEST_F(TwoLeaves, LightDoesNotDependOnWhetherLeavesAssimilate) {
     }
 }
 
-//! Plants that differ from each other, so that even pieces at the same place
-//! differ.
+//! Plants vary, so that pieces at the same position of two plants differ too.
 TEST_F(TwoLeaves, PiecesOfPlantsThatDifferAssimilateAsExactly) {
     request.scene.components[0].variation = {.15,  .15,  {15}, {20}, .1,
                                              {20}, {30}, {86}, .3,   .3};

@@ -21,7 +21,8 @@ TEST_F(TwoLeaves, PartsOfTheLightSumToWhatFalls) {
     for (const Estimate& layer : report.par().light.layers)
         leaves += layer.mean;
     EXPECT_NEAR(leaves / day.leaves.mean, 1, 1e-12);
-    // Eight randomisations know their error to a quarter.
+    // The standard error estimated from eight randomisations is accurate to
+    // about 25 %.
     EXPECT_LT(day.leaves.standard_error, .03 * day.leaves.mean);
     EXPECT_EQ(report.paths, 8u * 512u);
     EXPECT_NEAR(report.lai, .7455 * (.7 * .08 + .5 * .06) / (.76 * .15), .01);
@@ -47,7 +48,8 @@ TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
             for (const auto& [estimated, values] : profile) {
                 const Estimate again = estimate(values);
                 EXPECT_NEAR(again.mean, estimated.mean, 1e-12) << name;
-                // The error in a report contains the error of paths.
+                // The standard error in a report includes the error due to the
+                // number of paths.
                 EXPECT_LE(again.standard_error,
                           estimated.standard_error * (1 + 1e-12))
                     << name;
@@ -67,7 +69,8 @@ TEST_F(TwoLeaves, TheFormIsThatOfTheFullGrownPlant) {
     const auto number = [&](const char* name) {
         return measure_objective(name, evaluated()).estimate.mean;
     };
-    // The stalk is the highest part; leaves stand at 40 and 30 degrees.
+    // The stalk is the highest part of the plant; the leaf angles are 40 and 30
+    // deg.
     EXPECT_NEAR(number("plant_height"), 2, 1e-12);
     EXPECT_NEAR(number("top_leaf_angle"), 35, 1e-12);
     Plant grown = *request.scene.components[0].plant;
@@ -85,11 +88,11 @@ TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
     request.details.form = true;
     for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
-        // Paths, caps and the balance of energy are of the method, and the
-        // nearest line is a name; near infrared and shortwave need a band,
-        // invasion two components, the light on panels panels, dead leaves and
-        // carbon after silking plants that grow, and seven leaves that
-        // exchange water.
+        // Quantities with numbers that are not objectives: paths, caps, the
+        // balance of energy, and the nearest line. Objectives without numbers
+        // here require a further band (near infrared, shortwave), two
+        // components (invasion), panels (their light), growth (dead leaves,
+        // carbon after silking), or exchange of water (seven).
         ASSERT_EQ(measure_numbers(report).size(),
                   objective_names().size() + 4 - 6 - 7);
         for (const auto& [quantity, estimated] : measure_numbers(report)) {
@@ -103,8 +106,8 @@ TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
             EXPECT_NEAR(mean, estimated.mean, 1e-12 * scale) << quantity.name;
             EXPECT_NEAR(error, estimated.standard_error, 1e-9 * scale)
                 << quantity.name;
-            // Leaves as warm as the air respire in proportion to leaf area,
-            // which is equal in all fields of plants that do not vary.
+            // Leaves at air temperature respire in proportion to leaf area,
+            // which is constant over all fields of uniform plants.
             const bool is_known = quantity.name == "respiration";
             EXPECT_EQ(error > 1e-9 * scale,
                       quantity.certainty == Certainty::estimated && !is_known)
@@ -115,7 +118,8 @@ TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
 
 TEST_F(TwoLeaves, NumbersPerLeafAreaAreAsUncertainAsTheNumbers) {
     CanopyReport report = evaluated();
-    // Randomisations that agree by chance have a larger error than they show.
+    // If randomisations agree by chance, their scatter is smaller than the
+    // stated standard error.
     report.bands[0].light.day.leaves.standard_error *= 3;
     const Estimate whole = measure_objective("absorbed_par", report).estimate;
     const Estimate part =
@@ -252,7 +256,8 @@ TEST_F(TwoLeaves, LeafAreaByLightSumsToAllLeafArea) {
         EXPECT_NEAR((sunlit + shaded) / report.lai, 1, 1e-12);
         EXPECT_NEAR(sunlit / (report.hit_by_sun->mean.mean * report.lai), 1,
                     1e-12);
-        // The midpoints of classes give the light that leaves absorb.
+        // The sum over classes, each at its midpoint, agrees with the light
+        // that leaves absorb.
         const double light = 4.57 * report.par().light.day.leaves.mean /
                              request.scene.bands[0].light.series.lit_seconds();
         EXPECT_NEAR(absorbed / light, 1, .05);
@@ -260,7 +265,7 @@ TEST_F(TwoLeaves, LeafAreaByLightSumsToAllLeafArea) {
 }
 
 TEST_F(TwoLeaves, AClockTimesGeometrySceneAndLightApart) {
-    // Each look at the clock is a second later than the look before.
+    // This clock advances by one second each time it is read.
     double now = 100;
     const Clock clock = [&] { return now++; };
     request.accuracy = {64, 3, 0, 3};
@@ -283,7 +288,7 @@ TEST_F(TwoLeaves, MoreEffortMakesTheLightOfASourceMoreCertain) {
                 4 * std::hypot(more.standard_error, usual.standard_error));
 }
 
-//! A quarter turn of rows and sun together changes nothing but the axes.
+//! A quarter turn of the rows and the sun together only exchanges the axes.
 TEST_F(TwoLeaves, SkiesOfInstantsFollowTheSunWithTheRows) {
     const auto leaves = [&](double rows, double sun) {
         const LightSeries day{{{12, 3600, {60, sun}, {0, 300}}}};

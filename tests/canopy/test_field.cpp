@@ -62,7 +62,7 @@ TEST(Field, AFractionOfPlantsPointsAcrossTheRow) {
         EXPECT_LT(turn, 135);
         across += turn < 45;
     }
-    // The bounds are four standard errors.
+    // The tolerance is four standard errors.
     EXPECT_NEAR(across / 2000., 0.7, 4 * std::sqrt(.7 * .3 / 2000));
 }
 
@@ -123,8 +123,8 @@ TEST(Field, PositionsDeviateByTheirStandardDeviationsFromTheLattice) {
         both += x * y / count;
         furthest = std::max({furthest, std::abs(x), std::abs(y)});
     }
-    // A normal distribution cut at three has a variance of 0.995; the bounds
-    // are four standard errors.
+    // The variance of a standard normal distribution truncated at 3 is 0.995.
+    // The tolerances are four standard errors.
     EXPECT_NEAR(along, 0.995, 4 * std::sqrt(2 / count));
     EXPECT_NEAR(across, 0.995, 4 * std::sqrt(2 / count));
     EXPECT_NEAR(both, 0, 4 / std::sqrt(count));
@@ -145,7 +145,7 @@ TEST(Field, PositionsAreCommonToAllPlantsOfAGeneration) {
     EXPECT_NE(y_of(places(varied, {1, 1, 0})), first);
     EXPECT_NE(y_of(places(varied, {1, 0, 1})), first);
     EXPECT_NE(y_of(places(varied, {2, 0, 0})), first);
-    // They depend on no other variation.
+    // The random positions along the row do not depend on other variation.
     varied.variation.missing = 0.1;
     varied.variation.length = 0.2;
     varied.variation.across_row = 0.7;
@@ -153,7 +153,7 @@ TEST(Field, PositionsAreCommonToAllPlantsOfAGeneration) {
     EXPECT_EQ(y_of(places(varied, {1, 0, 0})), first);
 }
 
-//! Returns the points of each plant from its first point.
+//! Returns the positions of points relative to the first point of their plant.
 std::vector<glm::dvec3> points_from_the_first(const Field& field) {
     std::vector<glm::dvec3> points;
     glm::dvec3 first(0);
@@ -242,7 +242,8 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
     const Mesh plant = build_plant(sample, {});
     const Field field = drawn(sample, plot, {1, 0, 0});
     EXPECT_NEAR(field.cell.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
-    // The edge cuts off as much leaf area as neighbours reach across it.
+    // The leaf area that is cut off at the edge equals the area that neighbours
+    // extend across it.
     EXPECT_NEAR(plant_area(field.mesh).leaves / (8 * plant_area(plant).leaves),
                 1, .2);
     const double half_a_face = 0.1;
@@ -263,7 +264,7 @@ TEST(Field, EveryFaceKnowsItsPlantAlsoInACutPlot) {
     const Mesh plant = build_plant(sample, {});
     const Field field = drawn(sample, plot, {1, 0, 0});
     ASSERT_EQ(field.face_plant.size(), field.mesh.faces.size());
-    // Stalks stand where their plants do.
+    // The stalks are at the positions of their plants.
     const std::uint32_t stalk =
         static_cast<std::uint32_t>(plant.groups.size() - 1);
     std::set<std::uint32_t> standing;
@@ -292,8 +293,8 @@ TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
     EXPECT_EQ(*used.rbegin(), field.mesh.vertices.size() - 1);
 }
 
-//! Components have independent random numbers, so that a further one changes
-//! nothing for those before it.
+//! Components use independent random numbers. An additional component therefore
+//! does not change the preceding ones.
 TEST(Field, HasThePlantsOfAllComponents) {
     const Plant sample = sample_plant();
     Scene scene;
@@ -333,7 +334,7 @@ TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
     const double one = evaluated().lai;
     EXPECT_NE(one, line);
     EXPECT_NEAR(one, line, .3 * line);
-    // Eight fields have 8 leaves each.
+    // Each of eight fields contains 8 leaves.
     const CanopyReport many = evaluated(Fields::each);
     EXPECT_NEAR(many.lai, line, 3 * .3 * line / 8);
     EXPECT_NE(many.lai, one);
@@ -341,8 +342,8 @@ TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
     EXPECT_NE(evaluated().lai, one);
 }
 
-//! A cell of one plant repeats, so that its position in the cell, or beyond its
-//! edge, changes no light.
+//! The cell contains one plant and repeats. Moving the plant within the cell,
+//! or across its edge, therefore changes no light.
 TEST_F(TwoLeaves, APlantThatLeavesTheCellHasTheSameLight) {
     request.accuracy = {1 << 14, 16};
     const FieldForm single{1, 1, {.76, .15, 90}};
@@ -360,7 +361,7 @@ TEST_F(TwoLeaves, APlantThatLeavesTheCellHasTheSameLight) {
     EXPECT_NEAR(inside.lai, anywhere.lai, 1e-9);
 }
 
-//! The standard error contains the differences between fields.
+//! The standard error includes the differences between fields.
 TEST_F(TwoLeaves, FieldsOfPlantsThatDifferAreLessCertain) {
     request.accuracy = {4096, 16};
     const Estimate alike = evaluated(Fields::each).par().light.day.leaves;
@@ -388,7 +389,8 @@ TEST_F(TwoLeaves, RandomisationsAreDividedAmongFields) {
         4 * std::hypot(of_eight.standard_error, of_each.standard_error));
 }
 
-//! A tolerance does not limit the error that fields add to that of light.
+//! The tolerance limits only the error of light, not the error due to
+//! differences between fields.
 TEST_F(TwoLeaves, AToleranceHoldsForAllFieldsTogether) {
     request.accuracy = {1 << 16, 16, .004};
     const std::uint64_t one = evaluate(request, device).paths;

@@ -9,7 +9,8 @@
 namespace ideotype {
 namespace {
 
-//! Plants of two leaves with sheaths, one of which shows some stalk below it.
+//! Plants of two leaves with sheaths; below one sheath a part of the stalk is
+//! visible.
 class Organs : public TwoLeaves {
   protected:
     Organs() {
@@ -54,7 +55,7 @@ TEST_F(Organs, AssimilateTheirLightAsAtEachPoint) {
     for (const std::size_t g : {stalk, sheath}) {
         const Estimate own = gross_of(pieces, g), other = gross_of(exact, g);
         EXPECT_GT(own.mean, 0);
-        // Pieces of few faces overestimate by a few per cent.
+        // Pieces of few faces overestimate assimilation by a few per cent.
         EXPECT_NEAR(own.mean, other.mean,
                     4 * std::hypot(own.standard_error, other.standard_error) +
                         .03 * other.mean)
@@ -70,7 +71,8 @@ TEST_F(Organs, LeaveTheLightOfLeavesAsItIs) {
     const CanopyReport living = evaluated();
     EXPECT_EQ(living.par().budget_by_randomisation,
               dead.par().budget_by_randomisation);
-    // Expected light is a mean over neighbours; their number may differ.
+    // The expected light is a mean over random neighbours, so that their number
+    // may differ.
     EXPECT_NEAR(gross_of(living, 0).mean, gross_of(dead, 0).mean,
                 3 * gross_of(dead, 0).standard_error);
     EXPECT_EQ(living.hit_by_sun->mean.mean, dead.hit_by_sun->mean.mean);
@@ -86,7 +88,7 @@ TEST_F(Organs, RespireAndAreBuiltByTheirMass) {
     const double mass = 100 * std::numbers::pi / 4 * .027 * .027 * 2 /
                         component.ground_per_plant;
     const CarbonLoss& loss = report.assimilation->losses[stalk];
-    // On a clear day all air has 30 deg C.
+    // On a clear day the air temperature is constant at 30 deg C.
     EXPECT_NEAR(loss.in_light + loss.at_night,
                 mass * .015 / .030 * std::exp2(.5), 1e-9);
     EXPECT_NEAR(loss.building,
@@ -131,7 +133,7 @@ TEST_F(Organs, HaveRootsThatRespireAndAreBuiltWithThem) {
         return more(group, &CarbonLoss::in_light) +
                more(group, &CarbonLoss::at_night);
     };
-    // A mol of CH2O is 0.030 kg; leaves have 45 g m-2.
+    // One mol of CH2O is 0.030 kg; the dry mass of leaves is 45 g m-2.
     const double per_mass = .2 * .015 / .030 * std::exp2(.5);
     EXPECT_NEAR(respired(stalk), stalk_mass * per_mass, 1e-9);
     EXPECT_NEAR(respired(0) + respired(1), .045 * bare.lai * per_mass, 1e-9);
@@ -167,7 +169,7 @@ TEST_F(Organs, FillEarsThatRespireAPartOfTheirCarbon) {
                     number("carbon_balance", bare) - .1 * growth, 1e-9);
         EXPECT_EQ(number("net_assimilation", full),
                   number("net_assimilation", bare));
-        // 30 g of CH2O make 20.1 g of dry matter; 1 g m-2 is 0.01 t ha-1.
+        // 30 g of CH2O yield 20.1 g of dry matter; 1 g m-2 is 0.01 t ha-1.
         EXPECT_NEAR(number("dry_matter", bare), .201 * growth, 1e-9);
         EXPECT_NEAR(number("dry_matter", full), .9 * .201 * growth, 1e-9);
     }
@@ -203,7 +205,7 @@ TEST_F(Organs, OfMissingPlantsCostNothing) {
     for (const auto part : {&CarbonLoss::at_night, &CarbonLoss::building})
         EXPECT_NEAR(report.assimilation->losses[stalk].*part,
                     share * alike.assimilation->losses[stalk].*part, 1e-12);
-    // Each field has the losses that it would have alone.
+    // Losses are equal to those of each field evaluated alone.
     request.accuracy = {512, 4};
     for (std::uint32_t r = 0; r < 8; ++r) {
         request.randomness.first_randomisation = r;

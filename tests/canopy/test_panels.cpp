@@ -52,7 +52,8 @@ PanelRows rows_of(const Json& config) {
     return rows;
 }
 
-//! Ground between two places along an axis, as an object that lies on the soil.
+//! Returns an object on the soil that represents the ground between two
+//! positions along an axis.
 FixedObject strip(int number, double from, double to, double length,
                   bool is_along_x, std::uint32_t material) {
     Mesh mesh;
@@ -98,7 +99,7 @@ CanopyReport panels_over_ground(const Json& config, double panel, double albedo,
 
 class Panels : public ::testing::TestWithParam<std::string> {};
 
-//! @param side 0: front
+//! @param side 0 is the front
 double on_panel(const CanopyReport& report, int side) {
     return report.par().objects[static_cast<std::size_t>(side)].day.mean;
 }
@@ -119,7 +120,8 @@ TEST_P(Panels, ShadeTheGroundAsPvlibTells) {
     EXPECT_NEAR(mean_of_strips(report) /
                     array["ground_irradiance_mean_w_m2"].get<double>(),
                 1, .003);
-    // Strips follow from the middle of a row to the side that the front faces.
+    // Strips are numbered from the middle of a row towards the side that the
+    // front faces.
     for (int i = 0; i < strips; ++i) {
         const double exact =
             array["exact_radiosity_black_panel_albedo_0.2"]["ground_profile"]

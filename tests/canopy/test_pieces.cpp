@@ -13,7 +13,8 @@
 namespace ideotype {
 namespace {
 
-//! Blades of several square cells of 1 cm along x and across y.
+//! Returns blades of square cells of 1 cm, with the given numbers of cells
+//! lengthwise and across.
 Mesh blades(int count, int along, int across) {
     Mesh mesh;
     mesh.groups = {{"leaf01"}, {"stalk", {0, 1}, 1}};
@@ -66,7 +67,7 @@ TEST(Pieces, AreNeverOfTwoBladesOrPlants) {
     }
 }
 
-//! The blade tapers evenly to a point, and bends over by a half circle.
+//! The blade tapers linearly to a point and bends over in a half circle.
 TEST(Pieces, HaveTheWidthOfTheBladeWhereTheyAre) {
     constexpr int along = 60;
     constexpr double length = .01 * along, width = .04, pi = 3.14159265358979;
@@ -112,8 +113,8 @@ TEST(Pieces, OfAFieldAreThoseOfEachPlantThenWhatIsNotCut) {
     std::map<std::uint32_t, int> faces;  // by the group before the cut
     for (const std::uint32_t group : all.mesh.face_group)
         ++faces[all.group[group]];
-    // Groups are leaf and stalk of both components, then the post, which is not
-    // cut.
+    // The groups are leaf and stalk of both components, followed by the post,
+    // which is not cut.
     EXPECT_EQ(faces, (std::map<std::uint32_t, int>{
                          {0, 8}, {1, 2}, {2, 12}, {3, 2}, {4, 4}, {5, 1}}));
     for (std::size_t g = 0; g < all.mesh.groups.size(); ++g) {
@@ -125,7 +126,8 @@ TEST(Pieces, OfAFieldAreThoseOfEachPlantThenWhatIsNotCut) {
         EXPECT_EQ(all.like[v], v < 8 ? v % 4 : 8 + (v - 8) % 6) << v;
 }
 
-//! Returns the area of each group [m2], as seen from above where it faces up.
+//! Returns the area of each group in projection from above, counting faces that
+//! point upwards [m2].
 std::vector<double> area_from_above(const Mesh& mesh) {
     std::vector<double> areas(mesh.groups.size());
     const auto twice = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -142,7 +144,8 @@ std::vector<double> area_from_above(const Mesh& mesh) {
 }
 
 TEST(CoarseLeaves, AreDividedAsTheyLie) {
-    // A folded quadrilateral joins a triangle; a face of the stalk follows.
+    // The mesh joins a folded quadrilateral and a triangle; the next face
+    // belongs to the stalk.
     Mesh mesh;
     mesh.vertices = {
         {0, 0, 1}, {.1, 0, 1}, {.12, .1, 1.04}, {0, .08, 1.1}, {.2, .05, .95}};
@@ -154,7 +157,7 @@ TEST(CoarseLeaves, AreDividedAsTheyLie) {
     for (const auto& [tolerance, faces] : {std::pair(.01, 32u), {1e-3, 128u}}) {
         const Pieces pieces = cut_coarse_leaves(mesh, 1, tolerance);
         ASSERT_EQ(pieces.mesh.faces.size(), faces + 1);
-        // Faces that differ in area share a piece here and there.
+        // Some pieces contain several faces if faces differ in area.
         EXPECT_GT(pieces.count, .8 * faces);
         EXPECT_EQ(pieces.uncut_groups, 2u);
         EXPECT_EQ(pieces.group.front(), 0u);

@@ -11,8 +11,8 @@ concept Declares = requires(Parts... parts) {
     Declaration{parts...};
 };
 
-// A quantity has no mean over a season by accident: code that leaves it out
-// does not compile.
+// A declaration without a mean over the season does not compile, so that the
+// mean is never left to a default.
 static_assert(Declares<Quantity, MeanOver, TakeNumber>);
 static_assert(!Declares<Quantity, TakeNumber>);
 static_assert(!Declares<Quantity, TakeProfile>);

@@ -35,7 +35,8 @@ TEST_F(Sensors, AboveThePlantsReceiveAllLight) {
     }
 }
 
-//! Sensors on the ground over a row distance receive the light on the soil.
+//! Sensors on the ground, averaged over a row distance, receive the light that
+//! reaches the soil.
 TEST_F(Sensors, OnTheSoilReceiveWhatItAbsorbs) {
     const double row = request.scene.cell.row_distance;
     std::vector<Sensor> sensors;

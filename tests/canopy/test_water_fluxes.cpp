@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-//! Plants of two leaves that exchange heat and water on a hot day.
+//! Plants of two leaves that exchange heat and water with the air of a hot day.
 class WaterOfTwoLeaves : public FieldOfTwoLeaves {
   protected:
     explicit WaterOfTwoLeaves(double erect = 0) : FieldOfTwoLeaves(erect) {
@@ -67,8 +67,8 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
             step(each);
     }
 
-    //! Returns the excess of the upper leaves over the temperature of the air,
-    //! times seconds [K s].
+    //! Returns the temperature of the upper leaves minus that of the air,
+    //! integrated over time [K s].
     double warming_of_top() const {
         std::size_t top = 0;
         for (std::size_t g = 0; g < leaves.size(); ++g)
@@ -84,7 +84,8 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
         return sum / area;
     }
 
-    //! Returns each flux of a day, with this many solved points.
+    //! Returns the daily sum of each flux, for the given number of solved
+    //! points.
     std::vector<Estimate> fluxes(std::uint64_t seed, double points) const {
         std::vector<Estimate> sums;
         for (const auto& flux : tally(seed, points)) {
@@ -100,8 +101,8 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
     std::vector<Tally> tallies, nir_tallies, longwave_tallies;
 };
 
-//! All evaluations have the same light: fluxes scatter by the draw of points
-//! alone.
+//! All evaluations use the same light, so that fluxes scatter only because
+//! points are sampled.
 TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
     const std::vector<Estimate> all = fluxes(1, 1e6);
     constexpr int runs = 400;
@@ -111,7 +112,7 @@ TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
         const std::vector<Estimate> one = fluxes(seed, 1);
         for (std::size_t k = 0; k < leaf_fluxes; ++k) {
             found[k].push_back(one[k].mean);
-            // The variance of light is part of both variances.
+            // Both variances include the variance of light.
             variance[k] += (std::pow(one[k].standard_error, 2) -
                             std::pow(all[k].standard_error, 2)) /
                            runs;
@@ -129,9 +130,10 @@ TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
     }
 }
 
-//! One field has the light of other paths in each run: means scatter as the
-//! errors state, also where few paths meet a place by chance. Errors of leaf
-//! temperature lack that of the air, which all randomisations share.
+//! All runs have the same field, with different light paths. The scatter of the
+//! means agrees with the reported errors, also where few paths hit a piece by
+//! chance. The errors of leaf temperature exclude the error of the air
+//! temperature, which all randomisations share.
 TEST_F(WaterOfTwoLeaves, ErrorsAreThoseOfLightInTheField) {
     constexpr int runs = 40;
     const Accuracy few{64, 16};
@@ -258,7 +260,8 @@ TEST_F(WaterOfTwoLeaves, AirOfTheCanopyFollowsFromItsLeaves) {
 }
 
 TEST_F(WaterOfTwoLeaves, Co2ShutsStomataAndWarms) {
-    // Leaves that are hot already would assimilate less if they were warmer.
+    // Leaves that are already hot would assimilate less at a higher
+    // temperature.
     change([](TimeStep& step) { step.temperature = 24; });
     const auto warming = flux(LeafFlux::warming);
     const auto water = flux(LeafFlux::transpiration);

@@ -6,7 +6,7 @@
 
 namespace ideotype {
 
-//! Plants of two leaves on a clear day at Ames.
+//! Returns plants of two leaves on a clear day at Ames.
 //! @param erect the angle by which leaves are steeper and bend less [deg]
 inline CanopyRequest two_leaves(const Accuracy& accuracy, double erect = 0) {
     Plant plant;

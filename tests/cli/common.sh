@@ -76,7 +76,7 @@ randomisations = 4
 TOML
 }
 
-# Ten days of weather instead of the clear day of a campaign. $1 its name
+# Replaces the clear day of a campaign by ten days of weather. $1 its name
 give_season() {
     cp -r "$project/campaigns/weather" campaigns
     sed -i -e '/^\[day\]/,/^\[spacing\]/{/^\[spacing\]/!d}' \
@@ -85,8 +85,8 @@ give_season() {
     cat "$project/tests/data/campaign/july.toml" >>"campaigns/$1.toml"
 }
 
-# Plants that grow for two months in place of the clear day of a campaign,
-# evaluated at three ages. $1 its name
+# Replaces the clear day of a campaign by two months of growth, evaluated at
+# three ages. $1 its name
 give_growth() {
     give_season "$1"
     sed -i -e 's/maize\.toml/maize_hybrid.toml/; s/"paper"/"breedable"/' \
@@ -96,9 +96,10 @@ give_growth() {
         -e 's/^\[light\]/[light]\nstages = 3/' "campaigns/$1.toml"
 }
 
-# $1 and $2 histories, $3 a group, the rest datasets that may differ
+# Compares a group of two histories. $1 and $2 histories, $3 a group, the rest
+# datasets that may differ
 same_group() {
-    # Scales refer to data by places in the file, which differ.
+    # Scales contain addresses within the file, which differ between files.
     local excluded=() name scales="row finalist gene parent objective \
         randomisation leaf layer hour day light_source leaf_side generation \
         quantity factor"
@@ -107,7 +108,7 @@ same_group() {
         fail "$3 differs: $1 $2"
 }
 
-# Compares all results of two histories but times, workers, attempts and
+# Compares all results of two histories except times, workers, attempts and
 # sessions, which may differ between runs.
 same_results() {
     same_group "$1" "$2" /evaluations seconds worker attempt
@@ -134,7 +135,7 @@ are_gone() {
     done
 }
 
-# Prints the process of a rank: $1 a process above the ranks, $2 the rank.
+# Prints the process of a rank: $1 an ancestor of all ranks, $2 the rank.
 rank_of() {
     local process
     for process in $(descendants_of "$1"); do
@@ -145,13 +146,13 @@ rank_of() {
     done
 }
 
-# Whether the program is built with MPICH.
+# Returns whether the program is built with MPICH.
 is_mpich() {
     "$ideotype" --version | grep -q "^MPICH"
 }
 
-# Returns whether $1 is the exit code of mpirun after a run stopped by a signal:
-# 5, or 0 by MPICH 4.0, which at times forgets the code.
+# Returns whether $1 is an exit code of mpirun after a signal has stopped the
+# run: 5, or 0 because MPICH 4.0 sometimes loses the code.
 is_stopped() {
     [ "$1" -eq 5 ] || { [ "$1" -eq 0 ] &&
         "$ideotype" --version | grep -q "^MPICH 4\.0"; }

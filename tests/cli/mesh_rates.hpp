@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Returns the options of a mesh of the references.
+//! Returns the options for a mesh of the reference data.
 inline MeshSpec reference(const std::string& name, MeshSpec::Period period) {
     MeshSpec options;
     options.path = std::string(IDEOTYPE_MESHES) + "/" + name + ".obj";
@@ -18,8 +18,8 @@ inline MeshSpec reference(const std::string& name, MeshSpec::Period period) {
     return options;
 }
 
-//! Returns the options of a reference mesh whose leaves scatter a tenth of the
-//! light.
+//! Returns the options for a reference mesh with leaves that scatter a tenth of
+//! the light.
 inline MeshSpec mesh(const std::string& name, MeshSpec::Period period) {
     MeshSpec options = reference(name, period);
     options.optics.leaf = {.05, .05};
@@ -27,12 +27,13 @@ inline MeshSpec mesh(const std::string& name, MeshSpec::Period period) {
     return options;
 }
 
-//! Checks keys against each other.
+//! Checks that the keys do not contradict each other.
 inline void check(const MeshSpec& spec) {
     check_rules(spec, Problems(key_itself));
 }
 
-//! Returns a file that has this [photosynthesis] table.
+//! Writes a file that contains the given [photosynthesis] table, and returns
+//! its path.
 inline std::string table(const std::string& name, const std::string& keys) {
     const std::string path = temporary_file(name + ".toml");
     std::ofstream(path) << "[photosynthesis]\n" << keys;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Every command, its output and its exit code.
+# Tests the output and the exit code of every command.
 . "$(dirname "$0")/common.sh"
 
 write_campaign commands 6 2
@@ -47,7 +47,8 @@ sed 's/^utc_offset = .*/utc_offset = -4/' campaigns/commands.toml \
     >campaigns/clock.toml
 expect 0 "$ideotype" check campaigns/clock.toml
 says "warning: campaigns/clock.toml:7:14: site.utc_offset is -4 h"
-# Several cases are printed as ranges, and a warning names stands with too many leaves.
+# Several cases are printed as ranges, and a warning names the stands with too
+# many leaves.
 sed -e 's/^\[spacing\]/[[spacing]]\nrow = 0.2\nplant = 0.1524\n[[spacing]]/' \
     campaigns/commands.toml >campaigns/dense.toml
 expect 0 "$ideotype" check campaigns/dense.toml
@@ -64,7 +65,8 @@ expect 0 "$ideotype" check campaigns/commands.toml --set field.variation.length=
 expect 0 "$ideotype" check campaigns/commands.toml --set seed=3
 says "^next: ideotype run campaigns/commands.toml --set seed=3$"
 says "^ *128  *[0-9:]* *$"
-# The photosynthesis of leaves has its source, and a default one is warned of.
+# The source of photosynthesis is printed, and the use of default values causes
+# a warning.
 sed '/^\[photosynthesis\]/,/^\]/d' campaigns/crops/maize.toml >campaigns/crops/bare.toml
 bare=(campaigns/commands.toml --set objective.maximise=carbon_balance
     --set plant.baseline=crops/bare.toml)
@@ -83,7 +85,8 @@ says "^leaves    hyperbola, amax 63.9294, rate_2000 52 (maize.toml), 30 deg C on
 hybrid=(--set plant.baseline=crops/maize_hybrid.toml --set plant.bounds=traits --set plant.stage=1.75)
 expect 0 "$ideotype" check campaigns/commands.toml "${hybrid[@]}"
 says "on all days, with leaves as at development stage 1.75 (0.7 of the capacity at silking)$"
-# The first generation of auto is larger, and the log counts plants as check does.
+# The first generation of `auto` is larger than the others, and the log counts
+# the same plants as `check`.
 auto=(--set search.optimizer=auto --set search.population=8 --set stop.generations=5)
 expect 0 "$ideotype" check campaigns/commands.toml "${auto[@]}"
 says "^search    auto, generations of 8 plants (the first of 24), at most 40 plants$"
@@ -108,7 +111,7 @@ expect 2 "$ideotype" check campaigns/commands.toml --left --count
 expect 0 "$ideotype" check campaigns/dense.toml
 says "the baseline violates .constraints."
 
-# Only breeding needs a baseline within the bounds.
+# The baseline must be within the bounds only for a search.
 sed -e '/^bounds = /d' \
     -e 's/^baseline = .*/&\nbounds = { length = [1.05, 1.1] }/' \
     campaigns/commands.toml >campaigns/narrow.toml
@@ -133,7 +136,8 @@ expect 0 "$ideotype" evaluate campaigns/commands.toml
 says "incident"
 says "^--all also prints .*hours"
 [ "$(wc -l <out.log)" -lt 40 ] || fail "more than a screen: $(cat out.log)"
-# The objective stands once, and the method is apart from the quantities.
+# The objective is listed once, and quantities of the method are separate from
+# the others.
 [ "$(grep -c " absorbed_par  " out.log)" -eq 1 ] || fail "not one objective"
 for word in balance_error capped paths; do
     sed '1,/^method/d' out.log | grep -q "^  $word " || fail "$word is no method"
@@ -148,12 +152,13 @@ expect 2 "$ideotype" evaluate campaigns/commands.toml --case 1
 expect 0 "$ideotype" run campaigns/commands.toml
 says "finished (reached stop.generations), 12 of 12 plants in 2 generations, .*, gain .* %, LAI .* (baseline 3.44), 12 evaluations in 0:0[0-9], 0 failed$"
 told=$(grep -o "12 of 12 plants in 2 generations, best .*" out.log)
-# A log file has the time (UTC); its generations are counted as in the history.
+# Lines of a log file begin with the time (UTC), and number generations as in
+# the history.
 says "^20[0-9-]*T[0-9:]*Z  ames.*  generation 1, 12 of 12 plants, "
 says "best .* MJ m-2 day-1 (not re-evaluated)$"
 says "one seed: ± is half of a 95 % confidence interval of light noise"
 says "^next: ideotype report results/commands -o results/commands/report$"
-# On a terminal one line is written over and over; it must not wrap.
+# On a terminal one line is overwritten repeatedly; it must not wrap.
 for columns in 60 80 100 200; do
     expect 0 script -qec "stty cols $columns; '$ideotype' run \
         campaigns/commands.toml --out terminal$columns" /dev/null
@@ -187,12 +192,14 @@ expect 0 "$ideotype" export "$history" --best --to plant.obj
 expect 0 "$ideotype" export "$history" --generation 0 --slot 0 --field \
     --to field.obj
 [ "$(grep -c '^g plant.*leaf' field.obj)" -eq 90 ] || fail "not nine plants"
-# The mesh, read again, has the leaf area of the baseline and its stalks.
+# Read as a mesh, the exported field has the leaf area of the baseline and its
+# stalks.
 expect 0 "$ideotype" light field.obj --period 2.286 0.4572 \
     --sun 60 180 --tolerance 0.05
 says "^lai  *3.4[34]"
 says "^stalk  "
-# The plants of a plot that is cut keep different numbers of faces.
+# Plants at the edge of an isolated plot are cut, so that plants differ in their
+# numbers of faces.
 sed -e 's/"commands"/"cut"/' -e '/^\[field\]/a boundary = "isolated"\nborder_rows = 1' \
     campaigns/commands.toml >campaigns/cut.toml
 expect 0 "$ideotype" run campaigns/cut.toml
@@ -207,7 +214,8 @@ expect 0 "$ideotype" export "$history" --generations --to all.csv
 [ "$(wc -l <all.csv)" -eq 13 ] || fail "not one line for each row and its head"
 head -1 all.csv | tr , '\n' >heads
 ! grep -q '[^A-Za-z0-9_]' heads || fail "odd letters in $(cat heads)"
-# The plant has measures that are no traits, and a trait is no measure.
+# Exported measures of the plant are not traits, and no trait is exported as a
+# measure.
 head -1 plant.csv | tr , '\n' | grep -vE '^(leaf|insertion_height_m|roll_deg|twist_deg)$' |
     sed 's/^/leaf07_/' | sort >expected
 grep '^leaf07' heads | grep -v azimuth_deviation | sort | cmp - expected ||
@@ -228,7 +236,8 @@ grep -q "repeats every 2.286000 m in x and 0.457200 m in y" field.obj ||
     fail "the field file lacks its period"
 expect 2 "$ideotype" export "$history" --best --paths 1 --to dark.vtp
 expect 4 "$ideotype" export "$history" --best --to plant.obj
-# No link leads a file elsewhere, even if nothing is there yet.
+# Output is refused if its path is a symbolic link, even if the target does not
+# exist.
 for ending in csv toml obj vtp; do
     ln -s elsewhere.txt "link.$ending"
     expect 4 "$ideotype" export "$history" --best --to "link.$ending"
@@ -240,13 +249,13 @@ says "links.csv: this is a symbolic link"
 [ -L links.csv ] && [ ! -e elsewhere.txt ] || fail "a link was followed"
 expect 2 "$ideotype" export "$history" --best --to plant.doc
 
-# A second look at a finished case repeats its summary and evaluates nothing.
+# Resuming a finished case repeats its summary and evaluates nothing.
 expect 0 "$ideotype" run campaigns/commands.toml --resume
 says "$history: finished before (reached stop.generations), $told$"
 [ "$(grep -vc "^next: \|^one seed: " out.log)" -eq 1 ] || fail "not one line a case: $(cat out.log)"
 
-# As many cases as a campaign may have are checked in little memory, since cases
-# are made one by one: together they would need ten times as much.
+# The largest permitted number of cases is checked in little memory, because
+# cases are made one at a time; all cases together would need ten times as much.
 write_campaign many 12 3
 {
     printf 'replicates = 1000\n'
@@ -263,7 +272,7 @@ else
     echo "THIS BUILD NEEDS MORE MEMORY FOR A SINGLE CASE: NOT TESTED" >&2
 fi
 
-# A time limit of this start stops cleanly.
+# A time limit of this session stops the run in an orderly way.
 write_campaign limited 12 400
 expect 5 "$ideotype" run campaigns/limited.toml --wall-time 1s
 says "stopped before the end"

@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# bash completes each command and option of --help.
+# Tests that bash completes all commands and options listed by --help.
 . "$(dirname "$0")/common.sh"
 . "$project/src/cli/completion.bash"
 
-# Completes the last word of a command line; the answer is in out.log.
+# Completes the last word of a command line, with the result in out.log.
 complete_words() {
     COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
     _ideotype "$ideotype"
     echo " ${COMPREPLY[*]} " >out.log
 }
 
-# Prints the names of options in a --help on standard input.
+# Reads --help from standard input and prints the names of options.
 options() {
     sed -n 's/^  \(-[-a-z,]*\).*/\1/p' | tr ',' '\n'
 }
@@ -38,7 +38,7 @@ complete_words ideotype ev
 says "^ evaluate $"
 complete_words ideotype status --js
 says "^ --json $"
-# After an option's name the shell completes files.
+# After the name of an option the shell completes file names.
 complete_words ideotype run --out ""
 says "^  $"
 expect 0 bash -ic ". '$project/src/cli/completion.bash'; complete -p ideotype"

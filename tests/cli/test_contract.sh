@@ -24,7 +24,7 @@ else
     says "$maths: .*would not continue this history with the same bits"
     says "maths was [0-9a-f]*, is [0-9a-f]*"
     says "another folder with --out"
-    # A job of ranks that differ does not begin at all.
+    # A job does not start if its ranks differ.
     cat >ranks.sh <<'EOF'
 #!/bin/sh
 [ "${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-$PMIX_RANK}}" = 0 ] ||
@@ -38,7 +38,8 @@ EOF
     [ ! -e ranks ] || fail "something was written"
 fi
 
-# An instruction set chosen by the user, and histories that it does not fit.
+# Tests an instruction set chosen by the user, and histories made with a
+# different one.
 expect 0 "$ideotype" run campaigns/maths.toml --out sse2 --isa sse2
 h5dump -a isa "$(history_of sse2 maths)" | grep -q '"sse2"' || fail "no sse2"
 expect 0 "$ideotype" run campaigns/maths.toml --out sse2 --resume
@@ -46,7 +47,7 @@ expect 4 "$ideotype" run campaigns/maths.toml --out sse2 --resume --isa sse4.2
 says "was begun with instruction set sse2, not sse4.2; leave --isa out"
 expect 2 "$ideotype" run campaigns/maths.toml --out sse3 --isa sse3
 
-# If all ranks but the first have sse2 only, all use sse2.
+# If all ranks except the first support only sse2, all ranks use sse2.
 expect 0 mpirun -n 3 "$mixed_cluster" campaigns/maths.toml mixed 1
 h5dump -a isa "$(history_of mixed maths)" | grep -q '"sse2"' ||
     fail "the ranks did not agree on sse2"
@@ -56,7 +57,7 @@ if ! h5dump -a isa "$maths" | grep -q '"sse2"'; then
     says "narrow has no instruction set .* (it has sse2); this history was"
 fi
 
-# A path that is no file makes no command wait.
+# Commands do not wait on paths that are not regular files.
 mkdir -p odd/maths folder/x.h5
 mkfifo pipe.h5
 ln -s loop.h5 loop.h5
@@ -80,8 +81,8 @@ says "form a loop"
 expect 1 "$ideotype" status folder
 says "there is no history"
 
-# A folder that is removed under a run, and the run that follows in its place:
-# the first notices, and leaves the second its lock.
+# The folder of a run is removed, and another run starts at the same path. The
+# first run must notice, and must not release the lock of the second.
 write_campaign long 12 300
 "$ideotype" run campaigns/long.toml --out place >first.log 2>&1 &
 first=$!
@@ -101,15 +102,15 @@ grep -q "this file was deleted, moved or replaced" first.log ||
 "$ideotype" status place | grep -q ": running" || fail "the second run lost its lock"
 expect 4 "$ideotype" run campaigns/long.toml --out place --resume
 says "in use by process $second "
-# The lock of a history needs no other file.
+# No further file is needed to lock a history.
 find place -type f ! -name '*.h5' -delete
 expect 4 "$ideotype" run campaigns/long.toml --out place --resume
 says "in use by process $second "
 kill -TERM $second
 wait $second || true
 
-# A history that is cut short under a run, wherever that is, and what the system
-# says where that is noticed too late.
+# A history is truncated during a run, at several lengths. BUS stands for the
+# signal that the system sends if the program notices too late.
 for size in 0 20000 200000 600000 1200000 BUS; do
     rm -rf cut cut.log
     "$ideotype" run campaigns/long.toml --out cut >cut.log 2>&1 &
@@ -127,7 +128,7 @@ for size in 0 20000 200000 600000 1200000 BUS; do
         fail "cut to $size: $(cat cut.log)"
 done
 
-# Names that are too long are reported before any work.
+# Names that are too long are reported before any evaluation.
 long=$(printf 'x%.0s' $(seq 64))
 sed "s/^name = \"Ames\"/name = \"$long\"/; s/^\[\(day\|spacing\)\]/&\nname = \"$long\"/
     \$a [traits]\nname = \"$long\"\nfree = [\"azimuth\"]" campaigns/maths.toml >campaigns/names.toml
@@ -142,7 +143,7 @@ for command in check run; do
     says "this path is 42.. bytes long, .*allows 4096); choose a shorter folder"
 done
 
-# A history takes as much of the disk as check says.
+# The size of a history on disk is the size that `check` predicts.
 expect 0 "$ideotype" check campaigns/maths.toml
 size=$(stat -c %s "$maths" | awk '{ printf "%.2f", $1 / 1048576 }')
 says "^disk      $size MiB per case, $size MiB in total"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Disks that are too small, fill up or are read-only, and files that are cut
-# short: a clear message, nothing lost, and on with --resume.
+# Disks that are too small, become full or are read-only, and truncated files:
+# each causes a clear message, no recorded data are lost, and the run continues
+# with --resume.
 . "$(dirname "$0")/common.sh"
 
 disk=
@@ -15,7 +16,8 @@ run=("$ideotype" run campaigns/disk.toml)
 "${run[@]}" --out whole >/dev/null
 whole=$(history_of whole disk)
 
-# A limit on the size of files is met before the run begins. MPI needs some, too.
+# A limit on the size of files is reported before the run begins. MPI also needs
+# some space.
 write_campaign large 12 10000
 limited() {
     (ulimit -f 50000 && exec "$@")
@@ -25,8 +27,8 @@ says "File too large"
 says "MiB are needed and .* MiB are free"
 [ -z "$(find limited -type f)" ] || fail "something is left: $(ls -R limited)"
 
-# A limit that is met during the run, as a write error is: recorded rows are
-# kept.
+# The limit takes effect during the run, like a write error; recorded rows are
+# preserved.
 "${run[@]}" --out cut >cut.log 2>&1 &
 job=$!
 until grep -qs "generation 2, " cut.log; do sleep 0.05; done
@@ -39,11 +41,12 @@ grep "File too large; all rows recorded before are safe; free disk" cut.log ||
 expect 0 "${run[@]}" --out cut --resume
 same_results "$whole" "$(history_of cut disk)"
 
-# A folder that cannot be made.
+# The folder cannot be created.
 expect 1 "${run[@]}" --out /proc/none
 says "/proc/none.*choose another with --out"
 
-# Lost output is reported, and no incomplete file is left in a folder.
+# Output that cannot be written is reported, and no incomplete file remains in a
+# folder.
 write_campaign full 6 2
 full() {
     "$@" >/dev/full
@@ -60,7 +63,8 @@ done
 expect 0 "$ideotype" status full
 says "finished (reached stop.generations)"
 
-# No history takes the place of a standard file that is closed.
+# If a standard stream is closed, the history must not be opened under its
+# descriptor.
 write_campaign closed 6 2
 "$ideotype" run campaigns/closed.toml --out closed --quiet <&- >&- 2>&- || true
 expect 0 "$ideotype" run campaigns/closed.toml --out closed --resume
@@ -79,7 +83,8 @@ for words in "--generations --to exports/rows.csv" "--best --to exports/plant.vt
     [ -z "$(ls exports)" ] || fail "something is left: $(ls exports)"
 done
 
-# HDF5's own locks are no hindrance if the environment asks for them.
+# HDF5's own locks do not interfere, even if an environment variable requests
+# them.
 write_campaign locks 6 2
 export HDF5_USE_FILE_LOCKING=TRUE
 expect 0 "$ideotype" run campaigns/locks.toml --out locks
@@ -87,8 +92,8 @@ expect 0 "$ideotype" run campaigns/locks.toml --out locks --resume
 expect 0 "$ideotype" status locks
 unset HDF5_USE_FILE_LOCKING
 
-# A history that was cut short in copying: the rest can be saved, and the loss
-# is told.
+# A copied history is truncated: the remaining data can be exported, and the
+# loss is reported.
 head -c -1000 "$whole" >short.h5
 expect 4 "$ideotype" export short.h5 --best --to best.csv
 says "truncated"
@@ -121,7 +126,7 @@ cp packed.h5 "$(history_of cut disk)"
 expect 0 "${run[@]}" --out cut --resume
 says "gain"
 
-# A history that can never fit is refused before a byte is written.
+# A history that exceeds the free space is refused before anything is written.
 expect 1 "${run[@]}" --out huge --set search.population=100000 --set stop.generations=20000
 says "MiB are needed and .* MiB are free"
 [ -z "$(find huge -type f)" ] || fail "something is left: $(ls -R huge)"
@@ -132,7 +137,7 @@ for command in check run; do
     says "out is empty"
 done
 
-# This disk is really full.
+# The following disk is really full.
 mkdir small
 if ! mount -t tmpfs -o size=1m tmpfs small 2>/dev/null; then
     echo "MOUNTING IS NOT PERMITTED: THE FULL DISK IS NOT TESTED" >&2
@@ -144,15 +149,16 @@ says "No space left on device"
 says "MiB are needed and .* MiB are free"
 [ -z "$(find small -type f)" ] || fail "something is left: $(ls -R small)"
 
-# Once the run has begun, a disk that fills up does it no harm.
+# The run reserves its space at the start, so that a disk that becomes full
+# later has no effect.
 mount -o remount,size=8m small
 expect 5 "${run[@]}" --out small --wall-time 1s
 says "stopped before the end"
 head -c 16m /dev/zero >small/ballast 2>/dev/null || true
 expect 5 "${run[@]}" --out small --wall-time 1s --resume
 
-# A copy with holes has lost its room: it is refused before any work, and goes
-# on when there is room again.
+# A sparse copy of a history no longer has reserved space. It is refused before
+# any evaluation, and resumes once there is space again.
 small=$(history_of small disk)
 cp --sparse=always "$small" sparse.h5
 rm "$small"
@@ -165,7 +171,7 @@ rm small/ballast
 expect 0 "${run[@]}" --out small --resume
 same_results "$whole" "$small"
 
-# A file system that is read-only for everybody.
+# This file system is read-only, even for root.
 mount -o remount,ro small
 expect 1 "${run[@]}" --out small/new
 says "Read-only file system.*choose another with --out"

@@ -8,7 +8,8 @@ write_campaign long 12 200
 "$ideotype" run campaigns/long.toml --out whole >/dev/null
 whole=$(history_of whole long)
 
-# SIGUSR1 to mpirun drains: exit code 5, a message with the command to resume.
+# SIGUSR1 sent to mpirun drains the run: the exit code is 5, and a message
+# states the command that resumes it.
 mpirun -wdir "$PWD" -n 3 "$ideotype" run campaigns/long.toml --out drained >drain.log &
 job=$!
 for _ in $(seq 100); do
@@ -17,7 +18,7 @@ for _ in $(seq 100); do
 done
 sleep 0.1
 "$ideotype" status drained | grep ": running, " || fail "does not look running"
-# A second writer is refused, and disturbs nothing.
+# A second writer is refused and does not disturb the first.
 code=0
 "$ideotype" run campaigns/long.toml --out drained --resume 2>second.log || code=$?
 [ $code -eq 4 ] || fail "a second writer ended with $code: $(cat second.log)"
@@ -36,10 +37,10 @@ grep -q "^(histories do not record options of mpirun, such as" status.log ||
     fail "a drained case is left"
 [ "$("$ideotype" check campaigns/long.toml --left --out drained | cut -f 2)" -gt 0 ] ||
     fail "no evaluation of a drained case counts"
-# The run itself knows how mpirun was called.
+# The printed command contains the words with which mpirun was called.
 grep -qF -- " -wdir $PWD -n 3 $ideotype run campaigns/long.toml --out drained --resume" \
     drain.log || fail "a different command to resume: $(cat drain.log)"
-# Of two simultaneous resumes one continues and the other is refused.
+# If two processes resume the same run, one continues and the other is refused.
 codes=()
 jobs=()
 for start in 1 2; do
@@ -58,7 +59,8 @@ case "${codes[*]}" in
 esac
 same_results "$whole" "$(history_of drained long)"
 
-# A run never overwrites, and another campaign is refused by name.
+# A run never overwrites results, and the message names the campaign that
+# differs.
 if "$ideotype" run campaigns/long.toml --out whole 2>refused.log; then
     fail "a second run overwrote the first"
 elif [ $? -ne 4 ]; then

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Histories of an earlier format, and damaged ones of today's.
+# Tests histories of an earlier format, and damaged histories of the current
+# format.
 . "$(dirname "$0")/common.sh"
 
 # A history of version 0.2.0, repacked by h5repack.
@@ -16,12 +17,12 @@ expect 0 "$ideotype" export "$old" --generations --to old.csv
 expect 0 "$ideotype" export "$old" --best --to bred.toml
 says "$passed"
 grep -q "^insertion_angle = " bred.toml || fail "$(cat bred.toml)"
-# The light may have changed since this version.
+# The light may have changed since version 0.2.0.
 "$ideotype" evaluate "$old" --best >out.log 2>&1 || [ $? -eq 1 ] ||
     fail "$(cat out.log)"
 says "final slot [12]: \(agrees bit for bit with\|DIFFERS from\) the history"
 
-# All commands that rely on rows find flipped bits in them.
+# All commands that read rows detect flipped bits in them.
 write_campaign flipped 6 3
 expect 0 "$ideotype" run campaigns/flipped.toml
 history=$(history_of results flipped)
@@ -30,8 +31,8 @@ expect 0 "$ideotype" status "$history"
 expect 0 "$ideotype" verify "$history"
 says "header, 3 generations and 4 finalists match their checksums"
 cp "$history" whole.h5
-# Flips a byte: $1 a dataset, $2 the place of the byte, $3 the damaged part, $4
-# the new byte.
+# Replaces a byte: $1 dataset, $2 position of the byte, $3 part reported as
+# damaged, $4 new byte.
 flip() {
     local at
     at=$(h5dump -p -H -d "$1" whole.h5 | awk '/OFFSET/ { print $2 }')
@@ -42,7 +43,7 @@ flip() {
     says "damaged: $3 does not have its checksum"
     expect 4 "$ideotype" run campaigns/flipped.toml --resume
     says "damaged: $3 does not have its checksum"
-    # All commands that read rows notice the damage.
+    # All commands that read rows report the damage.
     local reader
     for reader in status "status --json" "evaluate --best" \
         "export --generations --to flipped.csv" "export --best --to flipped.toml"; do

@@ -8,7 +8,7 @@ write_campaign hang 12 60
 printf '[parallel]\ndeadline = 1\n' >>campaigns/hang.toml
 "$ideotype" run campaigns/hang.toml --out whole >/dev/null
 
-# Starts a run of three workers and waits until it has begun; $1 its folder.
+# Starts a run of three workers in folder $1 and waits until it has begun.
 start() {
     log=$1.log
     mpirun -n 4 "$ideotype" run campaigns/hang.toml --out "$1" --resume \
@@ -21,7 +21,7 @@ start() {
     fail "it does not begin: $(cat "$log")"
 }
 
-# Stops these ranks of the job.
+# Stops the given ranks by a signal.
 freeze() {
     local rank
     for rank in "$@"; do kill -STOP "$(rank_of $job "$rank")"; done
@@ -60,7 +60,7 @@ freeze 1 2 3
 await_end "no worker responds any more"
 grep -q "  .* run .*--resume" "$log" || fail "the log lacks the command that resumes the run"
 
-# The deadline does not change the campaign.
+# A changed deadline does not make it another campaign.
 sed -i 's/^deadline = 1/deadline = "00:01:00"/' campaigns/hang.toml
 for folder in drained all; do
     "$ideotype" run campaigns/hang.toml --out $folder --resume >/dev/null

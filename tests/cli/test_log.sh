@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Runs print as much about their progress as requested, and lines of a log have
-# the time.
+# Tests that runs print the requested amount of progress, and that lines of a
+# log begin with the time.
 . "$(dirname "$0")/common.sh"
 write_campaign told 6 2
 time='^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}Z  '
@@ -18,13 +18,13 @@ told debug --log-level debug
     fail "not each evaluation: $(cat out.log)"
 [ "$(grep -c "  final slot [0-3]: worker [0-9]*, " out.log)" = 4 ] || fail "$(cat out.log)"
 
-# A result is printed at any level.
+# The result is printed at every log level.
 told quiet --quiet
 [ ! -s err.log ] || fail "--quiet prints $(cat err.log)"
 grep -q "finished (reached stop.generations), .*gain " out.log || fail "no result: $(cat out.log)"
 ! grep -q "generation [0-9]" out.log || fail "--quiet prints $(cat out.log)"
 
-# Errors are printed too, with the time.
+# Errors are printed at every log level too, with the time.
 expect 4 "$ideotype" run campaigns/told.toml --out quiet --log-level error
 grep -Eq "${time}ideotype: .*exists already" out.log || fail "$(cat out.log)"
 expect 2 "$ideotype" run campaigns/told.toml --log-level loud

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# light MESH: its output and its errors.
+# Tests the output and the errors of `light MESH`.
 . "$(dirname "$0")/common.sh"
 
 reference=$project/tests/data/reference
@@ -82,7 +82,7 @@ light 0 "1 faces without area" "${square[@]}" --json
 printf 'v 0 0 -1\nv 1 0 1\nv 1 1 1\nf 1 2 3\n' >square.obj
 light 0 "warning: .*reaches 1 m below the soil" "${square[@]}" --paths 1000
 
-# Very many groups take no longer than very many faces.
+# The time for very many groups does not exceed the time for as many faces.
 awk 'BEGIN { for (i = 0; i < 200000; ++i) {
     x = i % 447 / 447; y = int(i / 447) / 448
     printf "v %.5f %.5f 1\nv %.5f %.5f 1\nv %.5f %.5f 1\ng g%d\nf -3 -2 -1\n",

@@ -32,7 +32,7 @@ void set_light(MeshSpec& options, const Json& input, const char* beam,
     }
 }
 
-//! Checks a value by the rule of references.
+//! Checks a value against a reference by the rule for reference data.
 void expect_agreement(Estimate ours, const Json& reference,
                       const std::string& subject) {
     const double mean = reference.at(0), error = reference.at(1);
@@ -100,7 +100,7 @@ TEST_F(MaizeAssimilation, ExactlyIsThatOfEveryLeafPoint) {
             rank.at("A_gross"), rank.at("rank").dump());
 }
 
-//! Sun and sky on leaves that scatter most of their light.
+//! Tests sun and sky on leaves that scatter most of the light.
 class ExactAssimilation : public testing::TestWithParam<Boundary> {};
 
 TEST_P(ExactAssimilation, AgreesWithPieces) {
@@ -122,7 +122,8 @@ TEST_P(ExactAssimilation, AgreesWithPieces) {
     options.is_exact = true;
     options.tolerance = 6e-3;
     const Estimate exact = rates(options).gross;
-    // Pieces have a bias, by noise in their light and by their shape.
+    // Values computed from pieces are biased by the noise of their light and by
+    // the shape of pieces.
     EXPECT_NEAR(usual.mean, exact.mean,
                 4 * std::hypot(usual.standard_error, exact.standard_error) +
                     1e-3 * exact.mean);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Responses of leaves of meshes to light and weather, against exact values.
+// Tests the response of leaves of meshes to light and weather against exact
+// values.
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -52,7 +53,8 @@ TEST(Assimilation, ASheetInTheSunFallsIntoOneClassOfLight) {
     options.sun = {60, 90};
     options.beam_ppfd = 1010;
     const LightClassReport report = *study(options).canopy.light_classes;
-    // 0.9 of the beam, and 0.9 of the 10.1 that the soil sends back.
+    // The leaf absorbs 0.9 of the beam, and 0.9 of the 10.1 that the soil
+    // reflects.
     const std::size_t lit = class_of(918), dark = class_of(9);
     for (std::size_t c = 0; c < ppfd_classes; ++c) {
         EXPECT_NEAR(report.sunlit[c].mean, c == lit, 1e-9) << c;
@@ -78,7 +80,7 @@ TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
         options.beam_ppfd =
             normal * std::sin(elevation * 3.14159265358979 / 180);
         const Estimate gross = rates(options).gross;
-        // A mesh of finitely many leaves deviates from theory.
+        // A mesh of finitely many leaves deviates slightly from theory.
         EXPECT_NEAR(gross.mean, exact, 4 * gross.standard_error + .005 * exact);
     }
 }
@@ -95,7 +97,7 @@ TEST(Assimilation, OfWeakLeavesIsProportionalToSunlitLeafArea) {
                 4 * std::hypot(gross.standard_error, .00025));
 }
 
-//! Returns the weather of Bondville to a day.
+//! Returns a file with the weather of Bondville until the given day.
 std::string season(const std::string& to) {
     const std::string path = temporary_file("to_" + to + ".toml");
     std::ofstream(path) << fmt::format(
@@ -114,8 +116,8 @@ TEST(Assimilation, ByCollatzFollowsTheWeather) {
     MeshSpec options = mesh("maize1", {.76, .15});
     options.climate = season("2011-07-23");
     options.tolerance = 3e-3;
-    // The response follows weather only if the options say so: else it is that
-    // of the table.
+    // By default the response is that of the table; it follows the weather only
+    // if the table requests it.
     options.photosynthesis = table("still", "model = 'collatz'\n");
     const CanopyReport still = study(options).canopy;
     options.photosynthesis =
@@ -124,7 +126,8 @@ TEST(Assimilation, ByCollatzFollowsTheWeather) {
     const double linear = .067 * 4.57e-6 * moved.par().light.day.leaves.mean;
     EXPECT_LT(moved.assimilation->gross.sum.mean, .9 * linear);
     EXPECT_GT(moved.assimilation->gross.sum.mean, .4 * linear);
-    // In the same light, nights below 30 deg C cost less and days yield less.
+    // Under equal light, temperatures below 30 deg C reduce both nocturnal
+    // respiration and assimilation by day.
     EXPECT_LT(sum_of(moved.assimilation->losses).at_night,
               .9 * sum_of(still.assimilation->losses).at_night);
     EXPECT_GT(std::abs(moved.assimilation->gross.sum.mean -
@@ -140,8 +143,8 @@ TEST(Assimilation, OfASeasonIsThatOfItsHours) {
     options.tolerance = 2e-3;
     const CanopyReport report = study(options).canopy;
     EXPECT_EQ(report.days, 62);
-    // The reference leaves out the hours around sunrise and sunset, which
-    // contribute some 0.3 %.
+    // The reference excludes the hours around sunrise and sunset, which
+    // contribute about 0.3 %.
     const Estimate gross = report.assimilation->gross.sum;
     EXPECT_NEAR(gross.mean, 1.5318 * 1.003,
                 4 * std::hypot(gross.standard_error, .0009) + .002 * 1.5318);
@@ -149,7 +152,7 @@ TEST(Assimilation, OfASeasonIsThatOfItsHours) {
     EXPECT_THROW(check(options), Error);
 }
 
-//! Two sheets side by side over half of the ground each, in these groups.
+//! Makes two sheets in the given groups, each over one half of the ground.
 MeshSpec halves(const std::string& first, const std::string& second) {
     MeshSpec options = mesh("sheets1", {1, 1});
     options.path = temporary_file("two_groups.obj");

@@ -77,8 +77,8 @@ MeshSpec options_of(const Ordered& scene, const std::string& light,
     return options;
 }
 
-//! Checks a value by the rule of references: it differs by four combined
-//! standard errors, and a further amount, at most.
+//! Expects a difference from the reference of at most four combined standard
+//! errors plus a further tolerance.
 void expect_within(Estimate ours, const Ordered& reference, double more,
                    const std::string& subject) {
     const double mean = reference.at(0), error = reference.at(1);
@@ -89,7 +89,8 @@ void expect_within(Estimate ours, const Ordered& reference, double more,
 
 TEST(MeshScene, HasTheLightOfEveryReferenceInEveryBand) {
     const Ordered stand_reports = stands("light");
-    std::map<std::string, CanopyReport> reports;  // one run for both bands
+    std::map<std::string, CanopyReport>
+        reports;  // one evaluation for both bands
     int values = 0;
     for (const auto& [name, expected] : stand_reports.at("cases").items()) {
         const std::string scene = name.substr(0, name.find('/'));
@@ -156,8 +157,8 @@ TEST(MeshScene, AssimilatesWithTheParametersOfEachComponent) {
     }
 }
 
-//! Light of the sun falls on the upper face, and light that the soil reflects
-//! on the lower one.
+//! The sun illuminates the upper face; the light reflected by the soil
+//! illuminates the lower face.
 TEST(MeshScene, FacesOfASheetMayReflectDifferently) {
     MeshSpec options;
     options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
@@ -201,7 +202,8 @@ TEST(MeshScene, FacesWithDifferentReflectanceAssimilateAsTheExactMethod) {
                     2e-3 * exact.mean);
 }
 
-//! A horizontal black sheet in a beam, at 30 deg C and a deficit of 1.697 kPa.
+//! A horizontal black sheet in a beam, at 30 deg C and a vapour pressure
+//! deficit of 1.697 kPa.
 TEST(MeshScene, ComponentsMayBeOfC3) {
     MeshSpec options;
     options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
@@ -254,8 +256,8 @@ TEST(MeshScene, NamesOfComponentsHaveNoEffect) {
               report.par().groups_by_randomisation);
 }
 
-//! Near infrared is the light beyond PAR, which is 0.4 to 0.5 of all, by
-//! par_share() of the weather's photons.
+//! Near infrared is the rest of solar radiation after PAR. The share of PAR,
+//! 0.4 to 0.5, follows from the photons in the weather data by par_share().
 TEST(MeshScene, AClimateHasLightInTheNearInfrared) {
     const std::string season = temporary_file("season.toml");
     std::ofstream(season) << fmt::format(

@@ -41,7 +41,8 @@ TEST(MeshStudy, MaizeAgreesWithADoublePrecisionTracer) {
     options.tolerance = 1e-4;
     const MeshReport report = study(options);
     const Estimate leaf = report.canopy.par().light.day.leaves;
-    // 32 randomisations know their error to an eighth, and so do the trials.
+    // The standard error from 32 randomisations is accurate to about 12 %, and
+    // so are the trials that choose the number of paths.
     EXPECT_LE(leaf.standard_error, 1.5e-4 * leaf.mean);
     EXPECT_NEAR(leaf.mean, .9206372,
                 4 * std::hypot(leaf.standard_error, 3.39e-5));
@@ -71,7 +72,7 @@ TEST(MeshStudy, ExtinctionOfBlackHorizontalLeavesIsThatOfBeersLaw) {
     options.sky = SkyModel::uniform;
     for (const Measured& number : measure_numbers(study(options).canopy))
         if (number.quantity.name == "extinction_coefficient") {
-            // A mesh of finitely many leaves deviates from theory.
+            // A mesh of finitely many leaves deviates slightly from theory.
             EXPECT_NEAR(number.estimate.mean, 1,
                         4 * number.estimate.standard_error + .01);
             EXPECT_LT(number.estimate.standard_error, .01);
@@ -81,7 +82,7 @@ TEST(MeshStudy, ExtinctionOfBlackHorizontalLeavesIsThatOfBeersLaw) {
 }
 
 TEST(MeshStudy, StalksHaveDifferentOpticsFromLeaves) {
-    // A sheet of leaf covers half of the ground, and a sheet of stalk the other
+    // A leaf sheet covers one half of the ground, and a stalk sheet the other
     // half.
     const std::string path = temporary_file("halves.obj");
     std::ofstream(path) << "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
@@ -120,7 +121,7 @@ TEST(MeshStudy, AMeshInCentimetresCausesAWarning) {
     EXPECT_TRUE(warnings(19).empty());
     ASSERT_EQ(warnings(230).size(), 1u);
     EXPECT_NE(warnings(230)[0].find("230 m high"), std::string::npos);
-    // Nearly horizontal light would cross the cell a million times.
+    // A nearly horizontal ray would cross the cell a million times.
     EXPECT_THROW(warnings(1e6), Error);
 }
 
@@ -260,7 +261,8 @@ TEST(MeshStudy, AMeshOutOfProportionToItsPeriodIsRefused) {
     EXPECT_THROW(study(options), Error);
 }
 
-//! Returns the message of a refusal, or "".
+//! Returns the message by which options are refused, or "" if they are
+//! accepted.
 std::string refusal_of(const MeshSpec& options,
                        ExitCode expected = ExitCode::usage) {
     try {
@@ -281,7 +283,7 @@ TEST(MeshStudy, AFaceOfManyPeriodsIsRefusedBeforeItIsTraced) {
         options.path = path;
         options.period = {1, 1};
         options.sun = {60, 180};
-        options.paths = 64;  // where nothing is refused
+        options.paths = 64;  // a number of paths that is never refused
         return refusal_of(options, ExitCode::runtime);
     };
     EXPECT_EQ(refusal(50), "");
@@ -300,12 +302,12 @@ TEST(MeshStudy, ATooLowSunIsRefused) {
         EXPECT_NE(refusal(elevation).find("(the limit is 1e+04); give 0.0"),
                   std::string::npos)
             << refusal(elevation);
-    // The advice is accepted.
+    // The settings that the message advises are accepted.
     const std::string text = refusal(1e-9);
     EXPECT_EQ(refusal(std::stod(text.substr(text.find("give ") + 5))), "");
 }
 
-//! Returns the message by which a value of a key is refused, or "".
+//! Returns the message by which the value of a key is refused, or "".
 std::string refusal_of(const std::string& key,
                        const std::vector<GivenValue>& values) {
     try {

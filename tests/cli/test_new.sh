@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# New campaigns, from options and from answers on a terminal.
+# Tests new campaigns, from options and from answers on a terminal.
 . "$(dirname "$0")/common.sh"
 
 place=(--latitude 42.03 --longitude -93.63 --date 2021-07-01)
 field=(--row 0.762 --plant-spacing 0.15)
 mkdir own other
 
-# A new campaign can be checked from anywhere; the crop file is in its folder.
+# A new campaign can be checked from any folder; its crop file is in its own
+# folder.
 expect 0 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
 says "^next: ideotype check own/my.toml$"
 cmp own/maize.toml campaigns/crops/maize.toml
-# Editors find the schema, which is in its folder too.
+# The schema is copied to the same folder, where editors find it.
 says "^own/maize.toml$"
 says "^own/campaign.schema.json$"
 [ "$(head -n 1 own/my.toml)" = "#:schema campaign.schema.json" ] ||
@@ -39,7 +40,7 @@ if grep -E '^[a-z_]+ = ' own/my.toml | grep -v '#'; then
     fail "a key is not explained"
 fi
 
-# Nothing is ever overwritten.
+# No file is ever overwritten.
 sum=$(cat own/* | sha256sum)
 expect 4 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
 says "own/my.toml: exists already and is not overwritten"
@@ -52,7 +53,8 @@ for name in my.toml maize.toml campaign.schema.json; do
     [ ! -e links/elsewhere.toml ] || fail "a link was followed"
     rm links/*
 done
-# A schema of another version is replaced; another file is not.
+# A schema of another version is replaced; an unrelated file of this name is
+# not.
 sed -i 's/seed of all random numbers/seed/' own/campaign.schema.json
 expect 0 "$ideotype" new own/newer.toml "${place[@]}" "${field[@]}" --plant maize
 [ "$(cat out.log)" = "$(printf 'own/newer.toml\nnext: ideotype check own/newer.toml')" ] ||
@@ -65,8 +67,8 @@ for text in '{"title": 1}' '{"title": "Campaign"}' '[]' 'no JSON' ''; do
     [ "$(cat links/*)" = "$text" ] || fail "something else is there: $(ls links)"
 done
 rm links/campaign.schema.json
-# A crop serves another campaign too; a changed crop is not taken for the
-# original.
+# A second campaign uses the same crop file, but a changed file is not accepted
+# as the original.
 expect 0 "$ideotype" new own/second.toml "${place[@]}" "${field[@]}" \
     --plant maize --objective net_assimilation --name bread --utc-offset -5
 expect 0 "$ideotype" check own/second.toml
@@ -83,8 +85,8 @@ grep -q '^baseline = "../own/maize.toml"' other/third.toml ||
 expect 0 "$ideotype" check other/third.toml
 [ ! -e other/maize.toml ] || fail "a plant of the user's was copied"
 
-# The differences between plants are those of the crop file, or unknown; a cell
-# has space for plants that stand close.
+# The within-line variation is taken from the crop file, or unknown; the cell is
+# large enough for dense plants.
 expect 0 "$ideotype" new own/broad.toml "${place[@]}" --row 0.76 \
     --plant-spacing 0.04 --plant soybean
 for line in 'jitter = 180  *#' 'insertion_angle = 15  *#' 'azimuth = 20  *#' \
@@ -116,7 +118,8 @@ done
 grep -q '^\[\[day\]\]' other/season.toml && fail "a day and a climate"
 expect 0 "$ideotype" check other/season.toml
 says "the light comes 0.5 h earlier .* set stamp = \"middle\" if"
-# As a logger writes it, months first: the order of dates follows from the rows.
+# The table of a logger has dates with the month first; their order is inferred
+# from the rows.
 awk -F '[,T-]' 'NR == 1 { print "Date,Time,Solar rad (W/m2),Air temp (F),RH" }
     NR > 1 { print $2 "/" $3 "/" $1 "," substr($4, 1, 5) "," $6 / 2.06 "," 9 * $8 / 5 + 32 ",0.5" }' \
     own/bondville.csv >own/logger.csv
@@ -129,12 +132,12 @@ for line in 'time = \["Date", "Time"\]  *#' 'date_order = "month_day_year"  *#' 
 done
 grep -q '^humidity' other/logger.toml && fail "a humidity without a unit"
 expect 0 "$ideotype" check other/logger.toml
-# Without the order, one error names it for all rows.
+# If the order is not stated, one error reports it for all rows.
 sed '/^date_order/d' other/logger.toml >other/no_order.toml
 expect 3 "$ideotype" check other/no_order.toml
 says '"07/21/2011,00:00" is not a date and time; set date_order = "month_day_year" (this line and 1487 others)$'
 [ "$(grep -c 'is not a date' out.log)" -eq 1 ] || fail "the same again and again"
-# Files that `ideotype weather` writes need no columns.
+# For files written by `ideotype weather` no columns need to be stated.
 cp "$project/tests/data/weather/converted.csv" own/native.csv
 expect 0 "$ideotype" new other/native.toml --latitude 36.1 --longitude -79.95 \
     "${field[@]}" --plant campaigns/crops/maize.toml --weather own/native.csv
@@ -144,7 +147,7 @@ expect 3 "$ideotype" new other/dark.toml "${season[@]}" "${field[@]}" \
     --plant campaigns/crops/maize.toml --weather own/dark.csv
 says "no columns of time and light are recognised (the file has time, light, "
 
-# A plant beyond the ranges of its crop: the lowest leaf is small.
+# The lowest leaf is small, beyond the ranges of the crop.
 sed -e 's/"breedable"/"other"/' \
     -e '/^\[\[leaf\]\] # 1$/,/^$/ { s/^length.*/length = 0.03/; s/^width.*/width = 0.02/ }' \
     campaigns/crops/sorghum.toml >own/short.toml
@@ -159,13 +162,13 @@ expect 0 "$ideotype" new other/narrow.toml "${place[@]}" "${field[@]}" \
     --plant own/short.toml
 grep -q '^width = \[0.004, ' other/narrow.toml || fail "$(cat other/narrow.toml)"
 expect 0 "$ideotype" check other/narrow.toml
-# A table of measured leaves is no crop file.
+# A table of measured leaves is not accepted as a crop file.
 printf '# crop: maize\nlength_cm\n30\n' >own/field.csv
 expect 3 "$ideotype" new other/bad.toml "${place[@]}" "${field[@]}" \
     --plant own/field.csv
 says "make a crop file of it: ideotype fit own/field.csv"
 
-# Days without a night, and nights without a day.
+# Polar day and polar night.
 expect 0 "$ideotype" new own/north.toml --latitude 70 --longitude 25 \
     --date 2021-06-21 "${field[@]}" --plant sorghum
 grep -q '^end = "24:00"' own/north.toml || fail "no polar day"
@@ -174,13 +177,14 @@ expect 2 "$ideotype" new own/night.toml --latitude 70 --longitude 25 \
     --date 2021-12-21 "${field[@]}" --plant own/maize.toml
 says "the sun does not rise on 2021-12-21"
 
-# Wrong options are reported at once, and no file is left behind.
+# Wrong options are reported at once, and no file remains.
 expect 2 "$ideotype" new none.toml --latitude 42 </dev/null
 says "new: missing --longitude, --date, --row, --plant-spacing, --plant (on"
 [ "$(wc -l <out.log)" -eq 1 ] || fail "not one line"
 expect 2 "$ideotype" new none.toml --latitude 95 </dev/null
 says "new: --latitude: site.latitude is 95 deg (above the range -90 .. 90 deg)"
-# All wrong options are reported in one pass, lengths with their likely unit.
+# All wrong options are reported together; for lengths the message suggests the
+# likely unit.
 expect 2 "$ideotype" new none.toml --latitude north --longitude -93.63 \
     --row 30 --plant-spacing 0.15 --plant corn --objective light \
     --date 2021-02-30 --weather none.csv </dev/null
@@ -214,7 +218,8 @@ expect 3 "$ideotype" new none.toml "${place[@]}" "${field[@]}" --plant maize \
 says 'none.toml:.*name is "my own"'
 [ -z "$(ls none.toml maize.toml campaign.schema.json 2>/dev/null)" ] || fail "something is left"
 
-# On a terminal the command asks for missing options until an answer is valid.
+# On a terminal the command asks for each missing option until the answer is
+# valid.
 {
     echo 42.03
     echo west
@@ -244,7 +249,7 @@ says "there is no objective 'yield'"
 expect 0 "$ideotype" check asked.toml
 diff -b <(sed 's/my/asked/g' own/my.toml) asked.toml ||
     fail "answers make another campaign than options"
-# The command asks only for missing options.
+# The command does not ask for options that are given.
 expect 0 script -qec "'$ideotype' new rest.toml ${place[*]} ${field[*]} \
     --plant maize" /dev/null <<<$'\n'
 grep -q "Latitude" out.log && fail "a given option is asked for"

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Results are bitwise the same alone, under mpirun, and for any number of
-# ranks, also more than there are candidates.
+# Results are bitwise equal for a single process, for mpirun, and for any number
+# of ranks, including more ranks than candidates.
 . "$(dirname "$0")/common.sh"
 
 write_campaign same 8 3
-# Each evaluation finds out for itself how many paths it needs.
+# Each evaluation determines the number of its paths.
 sed -i '/^\[light\]/,/^\[search\]/ {
     s/^paths = .*/paths = 4096/
     s/^randomisations = .*/randomisations = 8\ntolerance = 0.01/
@@ -19,8 +19,9 @@ same_for_ranks() {
         same_results "$(history_of "$2" same)" "$(history_of "$2$ranks" same)"
     done
 }
-# The number of ranks changes the order of answers alone, which each optimizer
-# sees on any number; streams keep more ranks than a generation busy.
+# The number of ranks affects only the order of answers, so that one number is
+# enough for each further optimizer. Streams occupy more ranks than a generation
+# has plants.
 same_for_ranks "1 2 5 12" alone
 same_for_ranks 5 auto --set search.optimizer=auto
 same_for_ranks 5 nsga2 --set search.optimizer=nsga2 \
@@ -33,7 +34,7 @@ same_for_ranks 5 sobol --set search.optimizer=sobol
 same_for_ranks 5 mixture --set 'band=[{name="nir"}]' \
     --set 'component=[{name="weed", crop="crops/sorghum.toml", rows=[2], free=["width"]}]'
 
-# Plants that grow, dry on ranks, and with water on threads.
+# Growing plants: without water on several ranks, with water on several threads.
 write_campaign grown 4 2
 give_growth grown
 for leaves in grown wet; do
@@ -49,7 +50,7 @@ for leaves in grown wet; do
         "$(history_of $leaves-many grown july)"
 done
 
-# The comparison itself must be able to fail.
+# A different seed must make the comparison fail.
 sed -i 's/seed = 7/seed = 8/' campaigns/same.toml
 "$ideotype" run campaigns/same.toml --out other >/dev/null
 if (same_results "$(history_of alone same)" "$(history_of other same)") \
@@ -57,7 +58,8 @@ if (same_results "$(history_of alone same)" "$(history_of other same)") \
     fail "another seed gave the same results"
 fi
 
-# Commands that cannot share work among ranks are refused once.
+# Commands that cannot share work among ranks are refused, with a single
+# message.
 
 # $1 a pattern of the message, the rest a command
 refused_once() {

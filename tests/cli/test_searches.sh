@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The start of CMA-ES, and the export of each kind of search.
+# Tests the start of CMA-ES, and exports from each kind of search.
 . "$(dirname "$0")/common.sh"
 
 write_campaign searches 8 4
@@ -9,8 +9,8 @@ for search in cma_es random; do
         --set search.optimizer=$search >search.log
 done
 
-# A search from the plant of a file, and from the best of another history. Its
-# first plant is the start.
+# A search starts from the plant of a file, and another from the best plant of a
+# history. The first plant of a search is its start.
 write_campaign start 8 3
 first=$(history_of cma_es searches)
 start=(run campaigns/start.toml --set search.optimizer=auto)
@@ -24,13 +24,13 @@ lengths() { grep -o 'length = [0-9.]*' "$1" | cut -c1-13 | head -10; }
 cmp <(lengths best.toml) <(lengths again.toml) ||
     fail "the search does not begin around its start"
 
-# Numbers that cannot be a start are refused before anything is written.
+# Invalid numbers for a start are refused before anything is written.
 code=0
 "$ideotype" "${start[@]}" --out none --start missing.h5 >start.log 2>&1 || code=$?
 [ $code -eq 1 ] || fail "a missing start ended with $code: $(cat start.log)"
 [ ! -e none ] || fail "a missing start left a folder"
 
-# All origins have names.
+# The origin of each candidate has a name in exports.
 for each in cma_es random; do
     "$ideotype" export "$(history_of $each searches)" --generations --to $each.csv
 done

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A season of weather: the same bits with any number of ranks, and after a kill.
+# Tests a season of weather: results are bitwise equal for any number of ranks,
+# and after a kill.
 . "$(dirname "$0")/common.sh"
 write_campaign season 8 40
 give_season season
@@ -31,7 +32,7 @@ same_after_kill() {
 }
 same_after_kill "$whole" killed
 
-# An atlas takes the kinds of plants from the history.
+# After a kill an atlas restores its cells from the history.
 atlas=(--set search.optimizer=atlas --set
     'search.axes=[{quantity="lai", range=[1, 9], cells=4}, {quantity="plant_height", range=[1, 4], cells=3}]')
 expect 0 "$ideotype" run campaigns/season.toml --out atlas "${atlas[@]}"
@@ -40,7 +41,7 @@ expect 0 mpirun -n 3 "$ideotype" run campaigns/season.toml --out atlas3 "${atlas
 same_results "$(history_of atlas season july)" "$(history_of atlas3 season july)"
 same_after_kill "$(history_of atlas season july)" atlas_killed "${atlas[@]}"
 
-# The history has all data that was read: no weather file is needed.
+# The history contains all input data, so that no weather file is needed.
 mkdir alone
 cp "$whole" alone/history.h5
 rm -r campaigns

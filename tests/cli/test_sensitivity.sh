@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A sensitivity study: the same bits for any number of ranks and after a stop,
-# rows that can be recomputed, failed rows, and refusals.
+# Tests sensitivity studies: bitwise equal results for any number of ranks and
+# after a stop, rows that can be recomputed, failed rows, and refusals.
 . "$(dirname "$0")/common.sh"
 
 write_campaign study 8 3
@@ -22,14 +22,14 @@ sensitivity=("$ideotype" sensitivity campaigns/study.toml)
 expect 0 "${sensitivity[@]}" --out alone
 says "^next: ideotype indices alone/.*.h5$"
 says "all rows of the design are evaluated; evaluating the baseline"
-# A study has no best plant, which would have to be evaluated again.
+# A study has no best plant that would be re-evaluated.
 "$ideotype" status alone >>out.log
 ! grep -E "best|finalists|reached|re-evaluated" out.log ||
     fail "words of a search in a study"
 whole=$(history_of alone study)
 "$ideotype" status alone | grep ": finished, [0-9]* of [0-9]* plants in 3 generations" ||
     fail "not finished"
-# Both keys at once may be more than all light.
+# The sum of both keys may exceed 1, which makes rows fail.
 "$ideotype" status alone | grep -E ", [1-9][0-9]* failed" || fail "no row failed"
 "$ideotype" verify "$whole"
 "$ideotype" evaluate "$whole" --generation 1 --slot 20 | grep "agrees bit for bit" ||
@@ -39,13 +39,13 @@ for ranks in 1 2 5 12; do
     same_results "$whole" "$(history_of ranks$ranks study)"
 done
 
-# The comparison itself must be able to fail.
+# A different seed must make the comparison fail.
 "${sensitivity[@]}" --set seed=8 --out other >/dev/null
 if (same_results "$whole" "$(history_of other study)") >/dev/null 2>&1; then
     fail "another seed gave the same rows"
 fi
 
-# Stopped and resumed; nothing else may be written over it.
+# The study is stopped and resumed; no other study may overwrite it.
 longer=("${sensitivity[@]}" --set sensitivity.samples=240)
 "${longer[@]}" --out whole >/dev/null
 mpirun -n 3 "${longer[@]}" --out drained >drain.log &

@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The batch evaluator: genomes through pipes, alone and on all ranks; bad
-# lines; clients, ranks and pipes that go away. Same bits as a run:
-# tests/analysis/program/test_serve.py.
+# Tests the batch evaluator `serve`: genomes through pipes, for one process and
+# for all ranks; invalid lines; clients, ranks and pipes that disappear.
+# tests/analysis/program/test_serve.py compares its results with those of a run.
 . "$(dirname "$0")/common.sh"
 time_limit=(timeout 60)
 write_campaign served 8 3
 serve=("$ideotype" serve campaigns/served.toml)
 ranks=(mpirun -n 3)
 
-# An empty input is valid, and the hello describes all genes.
+# An empty input is valid; the first line of the output describes all genes.
 "${serve[@]}" </dev/null >hello.json 2>hello.log
 [ "$(wc -l <hello.json)" = 1 ] || fail "no single hello: $(cat hello.json)"
 grep -Eq '^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}Z  ideotype: 0 genomes' \
     hello.log || fail "no line with the time: $(cat hello.log)"
 genes=$(grep -o '"baseline":[^,]*' hello.json | cut -d : -f 2 | paste -s -d ,)
 
-# $1 how many: the baseline with a sixth leaf of many lengths
+# Prints $1 requests: the baseline with its sixth leaf at many lengths.
 requests() {
     awk -v n="$1" -v genes="$genes" 'BEGIN {
         split(genes, all, ",")
@@ -27,29 +27,30 @@ requests() {
             printf "{\"id\": %d, \"genome\": [%s]}\n", i, line
         } }'
 }
-# Prints the figures of answers by id, without data that differ by rank.
+# Prints the results of answers by id, without data that depend on the rank.
 figures() {
     grep '"id":' "$1" | sed -E 's/,"rank":.*//; s/"line":[0-9]*,//' | sort -V
 }
 
-# Answers are the same on any number of ranks, from a file, a pipe, and without
-# an end of the last line.
+# Answers are equal for any number of ranks, from a file and from a pipe, and
+# without a newline at the end.
 requests 60 >requests
 "${serve[@]}" <requests >alone.out
 figures alone.out >alone
 [ "$(grep -c '"status":"done","objectives":{"absorbed_par"' alone)" = 60 ] ||
     fail "not all are done: $(head -2 alone)"
-# A leaf that is a centimetre longer may absorb no more of so few paths.
+# With so few paths some plants may absorb equal light although a leaf is a
+# centimetre longer.
 [ "$(cut -d : -f 4- alone | sort -u | wc -l)" -gt 55 ] || fail "all are alike"
 head -c -1 requests | "${ranks[@]}" "${serve[@]}" >three.out
 figures three.out | diff alone - || fail "3 ranks differ from one"
 [ "$(grep -o '"rank":[0-9]*' three.out | sort -u | wc -l)" = 2 ] ||
     fail "not all workers have worked"
-# Open MPI may warn of networks that it does not need.
+# Open MPI may print warnings about networks that it does not need.
 OMPI_MCA_btl=^tcp "${ranks[@]}" "${serve[@]}" --quiet </dev/null 2>quiet.log | grep -q workers.:2
 [ ! -s quiet.log ] || fail "--quiet says $(cat quiet.log)"
 
-# Work begins before the input ends, and answers come at once.
+# Evaluations begin before the input ends, and each answer is sent immediately.
 mkfifo in out
 for start in "" "${ranks[*]}"; do
     $start "${serve[@]}" <in >out 2>talk.log &
@@ -67,7 +68,7 @@ for start in "" "${ranks[*]}"; do
     exec 4<&-
 done
 
-# A bad line is answered, and the next line is evaluated.
+# An invalid line is answered with an error, and the next line is evaluated.
 bad() {
     { echo "$1"; sed -n 1p requests; } | "${serve[@]}" --quiet >bad.out ||
         fail "ended with $? by: $1"
@@ -92,7 +93,7 @@ bad "$(printf '[%.0s' $(seq 100))" 'brackets'
 bad "$(head -c 3000000 /dev/zero | tr '\0' x)" 'longer than 1048576 bytes'
 bad $'{"id": "\xff"}' 'not valid JSON'
 
-# Only free genes may be given; numbers beyond bounds are allowed.
+# Requests may contain only free genes; values beyond the bounds are allowed.
 printf '\n[[traits]]\nname = "turns"\nfree = ["azimuth"]\n' >>campaigns/served.toml
 turns=$(grep -o '"trait":"azimuth"[^}]*' hello.json |
     grep -o '"baseline":[^,]*' | cut -d : -f 2 | paste -s -d ,)
@@ -105,7 +106,7 @@ turns=$(grep -o '"trait":"azimuth"[^}]*' hello.json |
 grep -q '"id":2,"status":"done"' free || fail "beyond a bound: $(cat free)"
 sed -i '/^\[\[traits\]\]/,$d' campaigns/served.toml
 
-# Waits: $1 a description, the rest a command that has to succeed.
+# Waits until a command succeeds. $1 a description, the rest the command.
 await() {
     for _ in $(seq 300); do
         ! "${@:2}" || return 0
@@ -115,14 +116,14 @@ await() {
 }
 no_ranks() { ! pgrep -f "serve campaigns/served.toml --log-level debug" >/dev/null; }
 serve+=(--log-level debug)
-# The mpirun of MPICH does not bear more than 64 KiB that wait to be read.
+# The mpirun of MPICH cannot hold more than 64 KiB of unread input.
 count=1400
 ! is_mpich || count=$((60000 / $(requests 1 | wc -c)))
 requests $count >many
 
 for start in "" "${ranks[*]}"; do
-    # No client reads answers any more, while the input stays open: all ranks
-    # end with a reason and exit code 1.
+    # The client stops reading answers but keeps the input open: all ranks end
+    # with a message and exit code 1.
     rm -f gone.code
     sleep 60 >in &
     feeder=$!
@@ -136,7 +137,7 @@ for start in "" "${ranks[*]}"; do
     [ "$(cat gone.code)" = 1 ] || fail "a closed pipe ends with $(cat gone.code)"
     await "the end of all ranks" no_ranks
 
-    # A client that is killed takes both pipes with it.
+    # A client that is killed closes both pipes.
     rm -f killed.log  # of the other way to start
     (trap "" PIPE && $start "${serve[@]}" <in >out 2>killed.log) &
     bash -c 'exec 3>in 4<out; printf "%s\n" "$(<many)" >&3
@@ -148,7 +149,7 @@ for start in "" "${ranks[*]}"; do
     await "the end of all ranks" no_ranks
     wait
 
-    # A request to stop comes: requests in flight are answered.
+    # After a request to stop, pending requests are still answered.
     $start "${serve[@]}" <in >stopped.out 2>stopped.log &
     job=$!
     exec 3>in
@@ -167,7 +168,7 @@ for start in "" "${ranks[*]}"; do
         fail "an evaluated genome has no answer"
 done
 
-# A killed worker ends the job, and mpirun reports it.
+# If a worker is killed, the job ends and mpirun reports it.
 "${ranks[@]}" "${serve[@]}" <in >lost.out 2>lost.log &
 job=$!
 exec 3>in
@@ -181,12 +182,12 @@ wait
 [ $code -eq "$(code_of_signal 9)" ] || fail "a killed rank ends with $code: $(cat lost.log)"
 await "the end of all ranks" no_ranks
 
-# A campaign that does not exist is refused once.
+# The error for a missing campaign is printed once.
 code=0
 "${ranks[@]}" "$ideotype" serve campaigns/none.toml </dev/null >none.log 2>&1 || code=$?
 [ $code -ne 0 ] || fail "no campaign is no error"
 [ "$(grep -c "none.toml" none.log)" = 1 ] || fail "$(cat none.log)"
 
-# The service is about as fast as a run of as many evaluations.
+# The service is about as fast as a run with equally many evaluations.
 "$project/tests/benchmark/serve_rate.sh" "$ideotype" campaigns/served.toml 200 3 ||
     fail "the rate cannot be measured"

@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Ranks that get no memory: nothing is recorded of a plant that they could not
-# evaluate, the user gets a message, and a resume ends as if undisturbed.
+# Ranks run out of memory: no result is recorded for plants that they could not
+# evaluate, the user gets a message, and a resumed run ends as if undisturbed.
 . "$(dirname "$0")/common.sh"
 time_limit=(timeout 60)
 
-# Large scenes and few paths. 200 MB are enough for MPI and not for these.
+# The scenes are large and the paths few. 200 MB are enough for MPI but not for
+# these scenes.
 write_campaign starved 4 2
 sed -i 's/^rows = 3/rows = 20/; s/^plants = 3/plants = 20/; s/^paths = 256/paths = 16/' \
     campaigns/starved.toml
 limit=200000
 cat >starve.sh <<'EOF'
 #!/bin/sh
-# $1 the rank that starves, or all
+# $1 the rank that is starved of memory, or all
 rank=${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-$PMIX_RANK}}
 [ "$1" != all ] && [ "$1" != "$rank" ] || ulimit -d "$LIMIT"
 shift
@@ -29,7 +30,8 @@ run=("$ideotype" run campaigns/starved.toml)
 "${run[@]}" --out whole >whole.log
 whole=$(history_of whole starved)
 
-# A run with its history in folder $1, which ended with "expect".
+# Resumes the run in folder $1 and compares the result with the undisturbed run
+# "expect".
 goes_on() {
     says "could not evaluate .* on $(hostname): .*not enough memory"
     says "the machine failed, not the plant"
@@ -47,7 +49,7 @@ expect 1 mpirun -n 3 ./starve.sh 1 "${run[@]}" --out worker
 says "worker 1 could not"
 goes_on worker
 
-# Finalists of a run that was killed before it evaluated them.
+# The run is killed before its finalists are evaluated.
 for _ in 1 2 3 4 5; do
     rm -rf finals finals.log
     "${run[@]}" --out finals >finals.log 2>&1 &
@@ -61,7 +63,7 @@ expect 1 mpirun -n 2 ./starve.sh 1 "${run[@]}" --out finals --resume
 says "could not evaluate finalist 0"
 goes_on finals
 
-# Commands that evaluate one plant, and a service.
+# Tests commands that evaluate one plant, and `serve`.
 for LIMIT in 30000 "$limit"; do
     expect 1 ./starve.sh all "$ideotype" evaluate campaigns/starved.toml
     says "^ideotype: .*not enough memory"
@@ -73,8 +75,9 @@ expect 1 ./starve.sh all "$ideotype" serve campaigns/starved.toml <request
 says "worker 0 could not evaluate .*not enough memory"
 ! grep '"status"' out.log || fail "an answer of a plant"
 
-# No thread for a library that needs one and gives up: a reason, not a signal.
-# To root no number of processes is too large.
+# A library cannot start a thread that it needs: the program reports the reason
+# instead of being killed by a signal. Limits on the number of processes do not
+# apply to root.
 as_user=()
 [ "$(id -u)" -ne 0 ] || as_user=(setpriv --reuid 65534 --clear-groups)
 printf '#!/bin/bash\nulimit -u 1\nexec "$@"\n' >single.sh

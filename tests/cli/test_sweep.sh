@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Many cases in one job give the same bits as each alone, also when the job
-# is drained and resumed, and a case that fails does not stop the others.
+# Many cases in one job give bitwise the results of each case alone, also when
+# the job is drained and resumed. A case that fails does not stop the others.
 . "$(dirname "$0")/common.sh"
 
 write_campaign sweep 8 4
 sed -i 's/^seed = 7/seed = 7\nreplicates = 3/' campaigns/sweep.toml
 
-# $1 a folder of results
+# Compares the results in folder $1 with those of each case alone.
 same_as_alone() {
     for r in 1 2 3; do
         same_results "alone/sweep/ames_0807_762x152_all_r$r.h5" \
@@ -27,8 +27,8 @@ for ranks in 1 3 12; do
 done
 
 
-# Masters that share the cases give equal bits too, and the rank in the job
-# stands with each evaluation.
+# Masters that share the cases give bitwise equal results, and evaluations are
+# recorded with the rank in the job.
 mpirun -n 6 "$ideotype" run campaigns/sweep.toml --out shared --masters 2 \
     >shared.log
 same_as_alone shared
@@ -39,7 +39,8 @@ workers=$(h5dump -y -w 1 -d /evaluations/worker \
     sed -n 's/^ *\([0-9][0-9]*\),*$/\1/p' | sort -un | tr '\n' ' ')
 [ "$workers" = "5 " ] || fail "not evaluated by rank 5 alone: $workers"
 
-# Time limits interrupt it anywhere; the command to resume is printed once.
+# Time limits interrupt the job at various points; the command that resumes it
+# is printed once.
 write_campaign cut 12 40
 sed -i 's/^seed = 7/seed = 7\nreplicates = 3/' campaigns/cut.toml
 mpirun -n 5 "$ideotype" run campaigns/cut.toml --out whole >/dev/null
@@ -61,7 +62,7 @@ for r in 1 2 3; do
         "drained/cut/ames_0807_762x152_all_r$r.h5"
 done
 
-# Case $2 in folder $1 is in the hands of a program that pauses, `holder`.
+# Lets a program that pauses, `holder`, lock case $2 in folder $1.
 hold() {
     rm -f "hold$2.log"
     "$ideotype" run campaigns/cut.toml --out "$1" --case "$2" >"hold$2.log" 2>&1 &
@@ -73,7 +74,7 @@ hold() {
 holders=()
 trap 'kill -KILL "${holders[@]}" 2>/dev/null || true' EXIT
 
-# One case is in use by somebody else.
+# One case is locked by another program.
 hold busy 1
 in_use=busy/cut/ames_0807_762x152_all_r2.h5
 code=0
@@ -92,14 +93,15 @@ for r in 1 2 3; do
         "busy/cut/ames_0807_762x152_all_r$r.h5"
 done
 
-# Another program works on all cases: nothing was done.
+# Other programs lock all cases, so that nothing can be evaluated.
 for index in 0 1 2; do hold all $index; done
 code=0
 "$ideotype" run campaigns/cut.toml --out all --resume >all.log 2>&1 || code=$?
 [ $code -eq 4 ] || fail "nothing to do must end with 4, not $code"
 grep -q "other programs work on 3 of 3 cases" all.log || fail "$(cat all.log)"
 
-# One history is deleted while it is written: its case fails, others continue.
+# One history is deleted while it is written: this case fails, and the others
+# continue.
 mpirun -n 3 "$ideotype" run campaigns/cut.toml --out deleted >deleted.log 2>&1 &
 job=$!
 gone=deleted/cut/ames_0807_762x152_all_r2.h5
@@ -116,8 +118,9 @@ for r in 1 3; do
         "deleted/cut/ames_0807_762x152_all_r$r.h5"
 done
 
-# Cases may be added, in front too: those that were there are resumed or passed
-# over, and an old history is not touched. What a case is made of must stay.
+# Cases may be added, also before the existing ones. Existing cases are resumed
+# or skipped, and finished histories stay unchanged. The definition of an
+# existing case must not change.
 write_campaign grid 6 3
 "$ideotype" run campaigns/grid.toml --out grown >/dev/null
 sed -i 's/^\[site\]/[[site]]/' campaigns/grid.toml

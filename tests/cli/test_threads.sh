@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# One machine without a launcher: the same bits on any number of threads, also
-# of several ranks. Signals end a run in order with exit code 5, and the printed
-# command resumes it.
+# Tests runs on one machine without a launcher: results are bitwise equal for
+# any number of threads, also on several ranks. After a signal the run ends in
+# order with exit code 5, and the printed command resumes it.
 . "$(dirname "$0")/common.sh"
 plain=(env)
 for name in "${!OMPI_@}" "${!PRTE_@}"; do plain+=(-u "$name"); done
@@ -26,7 +26,7 @@ for start in "2 2" "3 1" "3 4"; do
 done
 expect 0 mpirun -n 4 "$ideotype" run campaigns/long.toml --threads 2 --out both
 same_results "$(history_of whole long)" "$(history_of both long)"
-# Ranks and their threads have all worked.
+# All ranks and all of their threads have evaluated plants.
 [ "$(h5dump -d /evaluations/worker "$(history_of both long)" |
     grep -o ": [0-9, ]*" | tr -d ': ' | tr , '\n' | sort -u | grep -c .)" = 8 ] ||
     fail "not all of 8 workers have worked"
@@ -45,8 +45,8 @@ expect 4 "$ideotype" run campaigns/short.toml --out whole --threads 3
 says "exists already"
 [ ! -e no ] || fail "something was begun: $(ls -R no)"
 
-# Starts a run and returns at its first word of a generation; the words are its
-# command. wait_for_job sets its exit code.
+# Starts a run with the given command and returns when the first generation is
+# reported. wait_for_job sets its exit code.
 start() {
     exec 3< <(exec "$@" 2>&1)
     job=$!
@@ -66,7 +66,8 @@ wait_for_job() {
     wait $reader
 }
 
-# One run is stopped by each signal, and resumes with the printed command.
+# One run is stopped by each signal in turn, and resumed with the printed
+# command.
 begun=("$ideotype" run campaigns/long.toml --out "on signals" --threads 2)
 go_on=("${begun[@]}")
 for signal in INT TERM USR1; do
@@ -83,7 +84,7 @@ for signal in INT TERM USR1; do
     eval "go_on=($line)"
 done
 
-# A second Ctrl-C ends a run at once, whatever the work in flight does.
+# A second Ctrl-C ends a run immediately, whatever is being evaluated.
 start "${go_on[@]}"
 kill -INT $job
 kill -INT $job
@@ -92,7 +93,8 @@ wait_for_job
 expect 0 "${go_on[@]}"
 same_results "$(history_of whole long)" "$(history_of "on signals" long)"
 
-# Time limits count while a job is suspended, but answers are not late then.
+# Time limits include the time in which a job is suspended, but evaluations do
+# not exceed their deadline because of it.
 start "$ideotype" run campaigns/long.toml --out timed --threads 2 --wall-time 1
 kill -STOP $job
 sleep 1

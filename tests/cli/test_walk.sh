@@ -1,9 +1,9 @@
 #!/bin/bash
 # SPDX-License-Identifier: Apache-2.0
-# The walk to a crop of one's own in docs/crop.md, as a user takes it.
+# Follows the tutorial in docs/crop.md, in which a user defines a crop.
 source "$(dirname "$0")/common.sh"
 
-# Writes the blocks of that page to one file each.
+# Writes each code block of this page to a file.
 awk '/^```[a-z]/{name = "block" ++n; next} /^```/{name = ""} name{print > name}' \
     "$project/docs/crop.md"
 cat block1 block2 block3 >millet.toml
@@ -18,8 +18,7 @@ says "better_millet"
 grep -q '^name = "better_millet"' better_millet.toml || fail "no crop file"
 grep -q '^g sheath' better_millet.obj || fail "no sheaths"
 grep -q '^g stalk_ear' better_millet.obj || fail "no ear"
-# Free traits are within their bounds, and the others keep their
-# values.
+# Free traits are within their bounds; all other traits are unchanged.
 expect 0 "$ideotype" export results/dryland/*.h5 --generations --to all.csv
 head -1 all.csv | tr , '\n' | grep -c '_insertion_angle_deg$' | grep -qx 3 ||
     fail "not an angle for each leaf"

@@ -12,14 +12,15 @@
 
 namespace ideotype {
 
-//! A site with a clock on solar time, apart from the equation of time.
+//! A site where clocks show solar time, except for the equation of time.
 inline const Site middle_west{"middle west", 42.0, -90.0, -6, 300};
 
-//! Rows of a weather table, to be modified by a test: half of the
-//! extraterrestrial light at middle_west, hour by hour from a date.
+//! Rows of a weather table that tests can modify. The light is half of the
+//! extraterrestrial light at middle_west, hour by hour from a given date.
 class MadeCsv {
   public:
-    //! @param stamp the time of each row after the beginning of its hour [h]
+    //! @param stamp the time stamp of each row, counted from the beginning of
+    //! its hour [h]
     explicit MadeCsv(int days = 12, const Date& first = {2011, 7, 1},
                      double stamp = 0.5)
         : first_(first) {
@@ -27,7 +28,8 @@ class MadeCsv {
             rows.push_back(row(hour, stamp));
     }
 
-    //! @param stamp the time of the row after the beginning of its hour [h]
+    //! @param stamp the time stamp of the row, counted from the beginning of
+    //! its hour [h]
     std::string row(int hour, double stamp) const {
         const double light = global(hour);
         return fmt::format("{},{:.6f},20.5,60", time(hour + stamp), light);
@@ -55,7 +57,7 @@ class MadeCsv {
         return lines + "\n";
     }
 
-    //! Returns the line of a row in the file, from 1.
+    //! Returns the line number of a row in the file; the first line is 1.
     static int line(std::size_t row) { return static_cast<int>(row) + 2; }
 
     std::string header = "time,ghi,t,rh";
@@ -78,7 +80,7 @@ inline WeatherRequest made_request() {
     return request;
 }
 
-//! Returns the error message of parsing a text, or "".
+//! Returns the error message for a text, or "" if it is valid.
 inline std::string parse_error(const std::string& text,
                                const WeatherRequest& request) {
     try {

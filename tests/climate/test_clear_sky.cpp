@@ -19,7 +19,8 @@ Site make_hazy_site(double turbidity, double elevation = 0) {
 }  // namespace
 
 TEST(ExtraterrestrialNormal, IrradianceFollowsTheDistanceOfTheSun) {
-    // Perihelion 0.98329 au, aphelion 1.01671 au.
+    // The Earth-sun distance is 0.98329 au at perihelion and 1.01671 au at
+    // aphelion.
     EXPECT_NEAR(extraterrestrial_normal({2025, 1, 4}),
                 1361.1 / (0.98329 * 0.98329), 2);
     EXPECT_NEAR(extraterrestrial_normal({2025, 7, 4}),

@@ -49,7 +49,8 @@ TEST(Daylight, PolarDaysAndNightsHaveNoSunrise) {
 TEST(ClockAhead, LeadIsTheOffsetLessFourMinutesPerDegree) {
     EXPECT_NEAR(clock_ahead(ames), 1.24, 1e-12);
     EXPECT_NEAR(clock_ahead(tromso), 1 - 1.264, 1e-12);
-    // Kiritimati lies east of the date line, in a time zone west of it.
+    // Kiritimati lies east of 180 deg, but its clock is that of a time zone
+    // west of it.
     EXPECT_NEAR(clock_ahead({"Kiritimati", 1.87, -157.4, 14}), 0.49333, 1e-5);
 }
 

@@ -9,8 +9,8 @@
 namespace ideotype {
 namespace {
 
-// Expected: equation 1 of Erbs et al. by hand; test_weather_formats.cpp has
-// values of pvlib.
+// Expected values: equation 1 of Erbs et al., evaluated by hand;
+// test_weather_formats.cpp contains values of pvlib.
 TEST(DiffuseFraction, FractionAgreesWithErbs) {
     const double normal = 1000 / std::cos(40 * degree);
     EXPECT_DOUBLE_EQ(diffuse_fraction(0, normal, 40), 1);

@@ -17,7 +17,8 @@ double sum(const Irradiance& light) {
     return light.beam + light.diffuse;
 }
 
-//! Returns photons of PAR over solar energy [umol J-1] (Alados et al. 1996).
+//! Returns the ratio of PAR photons to solar energy [umol J-1] (Alados et al.
+//! 1996).
 double photons_per_joule(double clearness, double cosine) {
     return 1.832 - .191 * std::log(clearness) + .099 * cosine;
 }
@@ -57,7 +58,7 @@ TEST(ParShare, ShareFallsAsTheSkyClears) {
         EXPECT_LT(share(par), before);
         before = share(par);
     }
-    // The sky is clear, then half clear, then overcast.
+    // The sky is first clear, then half clear, then overcast.
     EXPECT_NEAR(share(340), .43, .01);
     EXPECT_NEAR(share(235), .445, .01);
     EXPECT_NEAR(share(50), .51, .01);
@@ -91,7 +92,7 @@ TEST(NearInfrared, NearInfraredIsTheRestOfSolarRadiation) {
     for (std::size_t i = 0; i < 24; ++i) {
         const TimeStep& step = series.steps[i];
         const double global = made.global(static_cast<int>(i));
-        // The file has six decimals only.
+        // Values in the file are rounded to six decimals.
         EXPECT_NEAR(sum(step.par) + sum(step.nir), global, 1e-6);
         EXPECT_NEAR(sum(step.nir), .55 * global, 1e-6);
         EXPECT_DOUBLE_EQ(step.nir.beam * step.par.diffuse,
@@ -120,16 +121,17 @@ TEST(NearInfrared, NearInfraredFollowsFromPhotons) {
         EXPECT_NEAR(sum(step.par) * mol_per_mj_par,
                     photons_per_joule(clearness, cosine) * global, 1e-9);
     }
-    // Measured ratios are about 1.97 on clear and 2.10 on overcast days.
+    // Measured ratios are about 1.97 on clear days and 2.10 on overcast days.
     EXPECT_NEAR(par * mol_per_mj_par / solar, 2.0, .02);
 }
 
 TEST(NearInfrared, ParDoesNotDependOnNearInfrared) {
-    // Reference bits: noon of 21 July, computed without near infrared.
+    // Reference values, to the last bit: noon of 21 July, computed without near
+    // infrared.
     const TimeStep noon = season("umol/m2/s", .45).steps.at(12);
     EXPECT_EQ(noon.par.beam, 0x1.2357f28e48d29p+8);
     EXPECT_EQ(noon.par.diffuse, 0x1.889cd959115d8p+6);
-    // The par_fraction of a campaign has no effect on light in photons.
+    // The key par_fraction does not affect light given in photons.
     const TimeStep other = season("umol/m2/s", .5).steps.at(12);
     EXPECT_DOUBLE_EQ(other.par.beam, noon.par.beam);
     EXPECT_NEAR(other.nir.beam, noon.nir.beam, 1e-9);
@@ -137,8 +139,8 @@ TEST(NearInfrared, ParDoesNotDependOnNearInfrared) {
 }
 
 TEST(NearInfrared, DiffuseLightMayHaveAnotherUnitThanGlobalLight) {
-    // Diffuse light in photons does not change the sum if global light is solar
-    // radiation.
+    // If global light is solar radiation, diffuse light given in photons does
+    // not change the sum.
     MadeCsv made;
     made.header += ",sky";
     for (std::string& row : made.rows) row += ",0";

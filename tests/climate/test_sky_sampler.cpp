@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skies are sampled in proportion to radiance times cos z: seen point by
-// point, in statistics of random directions and in their mean.
+// Skies are sampled in proportion to radiance times cos z. This is tested at
+// single points, in the statistics of random directions and in their means.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -39,7 +39,8 @@ std::string describe(const SkyRadiance& sky) {
 
 constexpr std::size_t rings = 20, sectors = 40;
 
-//! Finds the bin of a direction; bins are equal in zenith angle and azimuth.
+//! Finds the bin of a direction; bins are of equal size in zenith angle and
+//! azimuth.
 std::size_t find_bin(const glm::dvec3& travel) {
     const double turn = (std::atan2(travel.y, travel.x) + pi) / (2 * pi);
     const auto index = [](double x, std::size_t count) {
@@ -51,7 +52,7 @@ std::size_t find_bin(const glm::dvec3& travel) {
     return index(zenith / (pi / 2), rings) * sectors + index(turn, sectors);
 }
 
-//! Integrals over a sky, weighted with cos z, by the midpoint rule.
+//! Integrals over a sky, weighted by cos z and computed by the midpoint rule.
 struct SkyIntegrals {
     std::vector<double> bins = std::vector<double>(rings * sectors);
     double irradiance = 0;
@@ -82,8 +83,9 @@ SkyIntegrals integrate(const SkyRadiance& sky, std::size_t fineness) {
     return sum;
 }
 
-//! Probability that chance alone makes a chi-square of k degrees of freedom
-//! this large (Wilson and Hilferty 1931, doi:10.1073/pnas.17.12.684).
+//! Returns the probability that a chi-square variable with k degrees of freedom
+//! is at least this large (Wilson and Hilferty 1931,
+//! doi:10.1073/pnas.17.12.684).
 double p_value(double chi_square, double k) {
     const double spread = 2 / (9 * k);
     const double z =
@@ -91,8 +93,8 @@ double p_value(double chi_square, double k) {
     return std::erfc(z / std::sqrt(2)) / 2;
 }
 
-//! Returns the p-value of random directions from one sky under the hypothesis
-//! of another sky.
+//! Returns the p-value of random directions sampled from one sky under the
+//! hypothesis that they were sampled from another.
 double compare(const SkyRadiance& sampled, const SkyRadiance& hypothesis,
                std::uint32_t slot) {
     constexpr int count = 400000;
@@ -123,8 +125,8 @@ TEST(RelativeRadiance, RadianceFollowsTheStandards) {
     EXPECT_DOUBLE_EQ(relative_radiance({SkyModel::overcast, {}}, zenith), 1);
     EXPECT_DOUBLE_EQ(relative_radiance({SkyModel::overcast, {}}, horizon),
                      1. / 3);
-    // Light comes from the west at 60 deg from the zenith; the sun stands
-    // there, then in the zenith.
+    // Light comes from the west, 60 deg from the zenith. First the sun is at
+    // this point, then in the zenith.
     EXPECT_NEAR(relative_radiance(make_clear_sky(60, 270), half),
                 11.36 * (1 - std::exp(-.64)), 1e-6);
     EXPECT_NEAR(relative_radiance(make_clear_sky(0), half),
@@ -149,8 +151,8 @@ TEST(SkySampler, HorizontalIrradianceAgreesWithIntegration) {
 }
 
 TEST(SkySampler, DensityIsRadianceTimesCosineEverywhere) {
-    // In horizontal projection the map of the unit square has the inverse
-    // density of directions, which share the factor cos z.
+    // In horizontal projection, the Jacobian of the map from the unit square is
+    // the inverse of the sampling density; the factor cos z cancels.
     for (const SkyRadiance& sky : skies()) {
         const bool is_clear = sky.model == SkyModel::clear;
         const SkySampler sampler(sky);

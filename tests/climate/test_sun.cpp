@@ -74,8 +74,8 @@ TEST(SunPosition, PositionIsFiniteAtEveryLatitudeAndHour) {
 }
 
 TEST(SunPosition, SunPassesOverheadAtTheEquatorOnTheEquinox) {
-    // The declination crosses zero at 09:01 UTC; the equation of time is
-    // -7.4 minutes.
+    // At 09:01 UTC the declination is zero; the equation of time is -7.4
+    // minutes.
     const double noon = 12 + 7.4 / 60;
     const SunPosition sun = sun_position(make_site_at(0), {2025, 3, 20}, noon);
     EXPECT_LT(sun.zenith, 0.1);

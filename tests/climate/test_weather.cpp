@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 const Site greensboro{"greensboro", 36.1, -79.95, -5, 273};
 
-//! Values that pvlib reads and computes, by data/weather/make.py.
+//! Values that pvlib reads and computes, written by data/weather/make.py.
 struct Expected {
     Date date;
     double hour, zenith, azimuth, ghi, dni, dhi, erbs_dhi, temperature,
@@ -42,7 +42,7 @@ std::vector<Expected> read_expected() {
     return rows;
 }
 
-//! Writes the days as `ideotype weather` does.
+//! Writes a table in the form of `ideotype weather`.
 std::string make_table(const std::vector<Expected>& rows, bool has_parts) {
     std::string text = "time,global,temperature,humidity";
     if (has_parts) text += ",beam_normal,diffuse";
@@ -73,7 +73,7 @@ TEST_P(WeatherLight, LightAgreesWithPvlib) {
         EXPECT_EQ(step.date, e.date);
         EXPECT_EQ(step.hour, e.hour);
         EXPECT_EQ(step.seconds, 3600);
-        // The position of the sun is exact from 2020 on.
+        // The algorithm for the position of the sun is accurate from 2020 on.
         EXPECT_NEAR(step.sun.zenith, e.zenith, .01);
         EXPECT_NEAR(
             (step.sun.azimuth - e.azimuth) * std::sin(e.zenith * degree), 0,
@@ -83,7 +83,8 @@ TEST_P(WeatherLight, LightAgreesWithPvlib) {
         const double sky = e.zenith > 90 ? e.ghi
                            : GetParam()  ? std::min(e.dhi, e.ghi)
                                          : e.erbs_dhi;
-        // At low sun the cap leaves more to the diffuse light.
+        // When the sun is low, the upper limit on the beam increases the
+        // diffuse part.
         if (e.zenith < 85) {
             EXPECT_NEAR(step.par.diffuse, .45 * sky, .05);
         } else {
@@ -143,7 +144,7 @@ TEST(Weather, SeasonOfBondvilleHasItsMeasuredLight) {
     const double photons =
         weather.series.incident() * mol_per_mj_par / joule_per_megajoule;
     EXPECT_NEAR(photons, 39.6742, 1e-4);
-    // The sun is above 2 deg, and there is light, in 798 hours.
+    // In 798 hours the sun is above 2 deg and the light is not zero.
     int lit = 0;
     for (const TimeStep& step : weather.series.steps)
         lit += step.sun.zenith < 88 &&

@@ -16,7 +16,8 @@ TEST(WeatherPlace, WrongLongitudeIsAnError) {
     EXPECT_THAT(parse_error(MadeCsv().text(), request),
                 HasSubstr("the light comes 1 h earlier than the sun of the "
                           "site"));
-    // No part of an hour is 1 h from its middle.
+    // A difference of 1 h cannot come from the time stamps: no part of an hour
+    // is 1 h from its middle.
     EXPECT_THAT(parse_error(MadeCsv().text(), request),
                 HasSubstr("; check the place, the clock, and the part of a "
                           "step that the times of the file mark (stamp)"));
@@ -38,7 +39,7 @@ TEST(WeatherPlace, WrongStampIsAnError) {
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_THAT(warnings[0].what, HasSubstr("the light comes 0.5 h earlier"));
     EXPECT_THAT(warnings[0].what, HasSubstr("; set stamp = \"middle\" if "));
-    // Ends of hours are taken for beginnings.
+    // The stamps are ends of hours, but are read as beginnings.
     request.columns.stamp = Stamp::beginning;
     EXPECT_THAT(parse_error(MadeCsv(12, {2011, 7, 1}, 1).text(), request),
                 AllOf(HasSubstr("1 h later"), HasSubstr("stamp = \"end\"")));
@@ -62,7 +63,8 @@ TEST(WeatherPlace, OtherHemisphereIsTooDark) {
                           "at this site"));
 }
 
-//! Parses days that all have a fraction of the extraterrestrial light.
+//! Parses several days on which the light is a constant fraction of the
+//! extraterrestrial light.
 Weather parse_with_clearness(double clearness, int days) {
     MadeCsv made(days);
     for (std::size_t i = 0; i < made.rows.size(); ++i)
@@ -73,7 +75,7 @@ Weather parse_with_clearness(double clearness, int days) {
 }
 
 TEST(WeatherPlace, LightInAWrongUnitIsAnErrorInBothDirections) {
-    // MJ m-2 of an hour are 277.8 W m-2.
+    // 1 MJ m-2 in one hour is a mean of 277.8 W m-2.
     MadeCsv made;
     for (std::size_t i = 0; i < made.rows.size(); ++i)
         made.rows[i] = fmt::format(
@@ -94,7 +96,7 @@ TEST(WeatherPlace, LightInAWrongUnitIsAnErrorInBothDirections) {
 }
 
 TEST(WeatherPlace, ImplausiblyDarkPeriodsCauseAWarning) {
-    // One day may be as dark as any, but not a month.
+    // A single very dark day is accepted; a whole month of them is not.
     EXPECT_TRUE(parse_with_clearness(.06, 1).warnings.empty());
     EXPECT_TRUE(parse_with_clearness(.2, 10).warnings.empty());
     EXPECT_TRUE(parse_with_clearness(.45, 31).warnings.empty());

@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-//! Returns the error message of parsing a table after a change.
+//! Returns the error message for a table after the given change.
 template <class Change>
 std::string parse_changed(Change&& change) {
     MadeCsv made;
@@ -33,7 +33,7 @@ TEST(WeatherProblems, MissingLightByDayIsAnError) {
             HasSubstr("made.csv:38:1: the light of 2011-07-02 12:30 is not "
                       "known"))
             << missing;
-    // Consecutive hours without light are one parse_changed.
+    // Consecutive hours without light are reported as one gap.
     const std::string several = parse_changed([](MadeCsv& made) {
         for (int i = noon; i < noon + 3; ++i) set_light(made, i, "-999");
     });
@@ -125,8 +125,8 @@ TEST(WeatherProblems, ContradictoryPartsOfLightAreCounted) {
             fmt::format(",{},100", made.global(static_cast<int>(i)));
     WeatherRequest request = made_request();
     request.columns.diffuse = Column{"dhi", "W/m2"};
-    // Diffuse and global light are the same, so beam is too much: by some 100
-    // of 680 W m-2.
+    // Diffuse light already equals global light, so that the whole beam is an
+    // excess: about 100 of 680 W m-2.
     request.columns.beam_normal = Column{"dni", "W/m2"};
     const auto closure = parse_weather(made.text(), request).warnings;
     ASSERT_EQ(closure.size(), 1U);
@@ -162,13 +162,13 @@ TEST(WeatherProblems, MalformedNumbersAndDatesAreErrors) {
     EXPECT_THAT(parse_changed(
                     [](MadeCsv& made) { made.rows[5] = "2011-257-02 12:30"; }),
                 HasSubstr("is not a date and time"));
-    // Centuries between two rows are not filled.
+    // Gaps of centuries are not filled.
     EXPECT_THAT(parse_changed([](MadeCsv& made) {
                     made.rows.push_back("9999-07-02 12:30,0,20,60");
                 }),
                 HasSubstr("the file has only 289 of the"));
-    // Problems of one kind are one, with their number; other kinds have their
-    // lines.
+    // Problems of one kind are reported once with their count; problems of
+    // other kinds are listed with their lines.
     EXPECT_EQ(parse_changed([](MadeCsv& made) {
                   for (int i = 0; i < 50; ++i) set_light(made, i, "x");
                   made.rows[50] = made.time(50.5) + ",5000,x,60";
@@ -179,7 +179,7 @@ TEST(WeatherProblems, MalformedNumbersAndDatesAreErrors) {
               "check the unit, or the code of missing values\n"
               "made.csv:52:23: \"x\" is not a number; correct it, or leave the "
               "entry empty");
-    // A row that is too short has no light.
+    // In a row that is too short, the light is missing.
     EXPECT_THAT(parse_changed([](MadeCsv& made) {
                     made.rows[noon] = made.time(noon + .5);
                 }),
@@ -260,7 +260,7 @@ TEST(WeatherProblems, PeriodMustBeInTheFile) {
     EXPECT_EQ(parse_error(MadeCsv().text(), request),
               "made.csv: the file has 2011-07-01 to 2011-07-12, but the period "
               "is 2011-07-05 to 2011-07-20; choose days that it has");
-    // Mistakes outside of the period do not matter.
+    // Problems outside the requested period are ignored.
     request.period = Period{{2011, 7, 5}, {2011, 7, 9}};
     MadeCsv made;
     set_light(made, noon, "x");
@@ -283,8 +283,8 @@ TEST(WeatherProblems, ErrorsOfDatesSuggestTheRightOrder) {
               "made.csv:2:1: \"07/01/2011 00:30\" is not a date and time; set "
               "date_order = \"month_day_year\" (this line and 335 others)");
     EXPECT_THAT(reordered(false, 14), HasSubstr("\"day_month_year\""));
-    // Days up to the twelfth could be months, but these would not be days in a
-    // row.
+    // Days up to the twelfth could also be months, but then the dates would not
+    // be consecutive.
     EXPECT_THAT(reordered(true, 9), HasSubstr("\"month_day_year\""));
     EXPECT_THAT(reordered(false, 9), HasSubstr("\"day_month_year\""));
     EXPECT_THAT(

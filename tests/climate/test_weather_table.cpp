@@ -16,7 +16,7 @@ Weather parse(const MadeCsv& made, const WeatherRequest& request) {
     return parse_weather(made.text(), request);
 }
 
-//! Expects two weathers to be equal within rounding.
+//! Expects that two weather series are equal within rounding.
 void expect_same(const Weather& a, const Weather& b) {
     ASSERT_EQ(a.series.steps.size(), b.series.steps.size());
     for (std::size_t i = 0; i < a.series.steps.size(); ++i) {
@@ -67,7 +67,7 @@ TEST(WeatherTable, TimesInAllFormatsAreParsed) {
                                                   day, hour);
                            },
                            ymd));
-    // 6 h behind UTC is the clock of the site.
+    // The clock of the site is UTC-6.
     expect_same(plain, written(
                            "t0", {"t0"},
                            [](int day, int hour) {
@@ -154,7 +154,7 @@ TEST(WeatherTable, StepsMayBeHalfHours) {
 }
 
 TEST(WeatherTable, GivenPartsOfTheLightAreUsed) {
-    // The step is that around noon.
+    // Returns the time step at noon.
     const auto with = [](const std::string& parts, auto&& set) {
         MadeCsv made;
         made.header = "time,ghi,t,rh,x,y";
@@ -180,7 +180,7 @@ TEST(WeatherTable, GivenPartsOfTheLightAreUsed) {
     });
     EXPECT_NEAR(normal.par.beam, 225 * cosine, 1e-5);
     EXPECT_NEAR(normal.par.diffuse, global - 225 * cosine, 1e-5);
-    // Values that are not known count as if there were no column.
+    // If values of a column are unknown, the column is ignored.
     const TimeStep erbs = with("-999,", [](ColumnMap& columns) {
         columns.diffuse = Column{"x", "W/m2"};
     });
@@ -222,7 +222,7 @@ TEST(WeatherTable, ColumnsOfTheConverterNeedNoMapping) {
     WeatherRequest beginning = request;
     beginning.columns.stamp = Stamp::beginning;
     EXPECT_EQ(parse(made, beginning).series.steps[0].hour, 1);
-    // Values that are not known are empty.
+    // Unknown values are empty cells.
     made.rows[0].resize(made.rows[0].rfind(',') + 1);
     EXPECT_EQ(parse(made, request).warnings.size(), 1U);
     made.header = "time,diffuse,beam_normal,humidity";

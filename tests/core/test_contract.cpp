@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contracts are checked in this file, with any build option.
+// Contracts are checked in this file, whatever the build options.
 #ifndef IDEOTYPE_CONTRACTS
 #define IDEOTYPE_CONTRACTS
 #endif

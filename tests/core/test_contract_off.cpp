@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contracts are not checked in this file, with any build option.
+// Contracts are not checked in this file, whatever the build options.
 #undef IDEOTYPE_CONTRACTS
 #include <gtest/gtest.h>
 

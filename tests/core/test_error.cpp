@@ -85,13 +85,14 @@ TEST(ShortQuotes, OnlyLongTextsAreShortened) {
     EXPECT_EQ(shorten_quotes("\"" + name.substr(0, 50) + ' ' + name + '"'),
               '"' + std::string(50, 'n') + ' ' + std::string(9, 'n') +
                   "... (151 bytes)\"");
-    // The program's own words, and paths, are not cut.
+    // Quoted text from a file is shortened, but the program's own words and
+    // paths are not.
     std::string lists;
     for (int i = 0; i < 9; ++i) lists += list;
     EXPECT_EQ(shorten_quotes(lists), lists);
     const std::string path = "cannot read /" + name + "/x.toml";
     EXPECT_EQ(shorten_quotes(path), path);
-    // No character is split.
+    // A multi-byte character is never split.
     std::string umlauts = "\"n";
     for (int i = 0; i < 50; ++i) umlauts += "\u00e4";
     EXPECT_EQ(shorten_quotes(umlauts).substr(0, 63),

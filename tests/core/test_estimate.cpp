@@ -40,7 +40,8 @@ TEST(Estimate, PrecisionIsKeptFarFromZero) {
 }
 
 TEST(Estimate, StandardErrorIsTheSpreadOfTheMean) {
-    // 2,000 means of 8 uniform numbers scatter by sqrt(1 / 12 / 8).
+    // The standard deviation of 2,000 means of 8 uniform numbers is sqrt(1 / 12
+    // / 8).
     RandomStream random(1, Purpose::jitter);
     double squared_errors = 0;
     for (int trial = 0; trial < 2000; ++trial) {
@@ -63,8 +64,9 @@ double root_mean_square(const std::vector<double>& values) {
 }  // namespace
 
 TEST(RelativeGain, StandardErrorIsThatOfTheRatio) {
-    // The baseline has 0.171 and a plant four times as much. Part of their
-    // noise is common, as for net carbon balances at 15 x 3 inches.
+    // The mean of the baseline is 0.171 and that of a plant is four times as
+    // large. They share part of their noise, like net carbon balances at 15 x 3
+    // inches.
     RandomStream random(2, Purpose::jitter);
     const auto noise = [&] { return random.uniform() - 0.5; };
     std::vector<double> gains, paired, independent;
@@ -82,8 +84,8 @@ TEST(RelativeGain, StandardErrorIsThatOfTheRatio) {
         paired.push_back(gain.standard_error);
         independent.push_back(
             relative_gain({a.figure, {}}, {b.figure, {}}).standard_error);
-        // The error of the difference alone, without that of the divisor, is
-        // too small.
+        // A standard error without the uncertainty of the divisor would be too
+        // small.
         EXPECT_GT(gain.standard_error,
                   2 * 100 / a.figure.mean * difference(a, b).standard_error);
     }

@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-// Published examples of FIPS 180-4.
+// Expected values: the examples published in FIPS 180-4.
 TEST(Sha256, HashOfPartsIsTheHashOfTheWhole) {
     Sha256 sum;
     for (const char* part : {"", "abcdbcdecdefdefgefghfghi", "ghijhijkijkljklm",

@@ -9,8 +9,8 @@ namespace ideotype {
 
 namespace {
 
-//! Makes a leaf of 2 m x 1 m, a triangular leaf of 1 m2 and a stalk of 3 m x 1
-//! m.
+//! Makes a mesh with a leaf of 2 m x 1 m, a triangular leaf of 1 m2 and a stalk
+//! of 3 m x 1 m.
 Mesh sample_mesh() {
     Mesh mesh;
     mesh.vertices = {{0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1},
@@ -35,8 +35,9 @@ TEST(FaceAreas, TwistedFaceIsSplitAlongOneDiagonal) {
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
     mesh.faces = {{0, 1, 2, 3}};
-    // The face has a flat half, and half of a square seen from its folded
-    // corner.
+    // Split along the diagonal between corners 1 and 3, the face consists of a
+    // flat right triangle of area 1/2 and an equilateral triangle with sides
+    // sqrt(2).
     EXPECT_DOUBLE_EQ(face_areas(mesh)[0], 0.5 + std::sqrt(3.0) / 2);
 }
 

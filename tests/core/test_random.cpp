@@ -25,8 +25,8 @@ std::vector<std::uint64_t> draw_numbers(RandomStream stream) {
 
 }  // namespace
 
-// Expected: the known answers published with Random123 (kat_vectors, philox4x32
-// 10).
+// Expected values: the known answers published with Random123 (kat_vectors,
+// philox4x32 10).
 TEST(Philox, WordsAgreeWithPublishedAnswers) {
     constexpr std::uint32_t ones = 0xffffffff;
     EXPECT_EQ(philox4x32({0, 0, 0, 0}, {0, 0}),
@@ -121,7 +121,8 @@ TEST(RandomStream, WholeNumbersAreEquallyLikely) {
 }
 
 TEST(RandomStream, WholeNumbersHaveNoBiasForLargeRanges) {
-    // The remainder of a division would draw the lower half twice as often.
+    // With this n, the remainder of a division would be in the lower half twice
+    // as often as in the upper half.
     constexpr std::uint32_t n = 0xaaaaaaab;
     RandomStream stream(seed, Purpose::selection);
     int lower = 0;

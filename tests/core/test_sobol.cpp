@@ -9,7 +9,8 @@ namespace ideotype {
 namespace {
 
 TEST(Sobol, PointsAgreeWithSciPy) {
-    // Expected: scipy 1.17.1, whose point i is our point i ^ (i >> 1).
+    // Expected values: SciPy 1.17.1, in which point i is our point i ^ (i >>
+    // 1).
     const std::uint32_t points[] = {1, 7, 442, 540};
     const std::size_t dimensions[] = {0, 1, 2, 5, 63, 100, 200, 336};
     const std::uint32_t expected[][4] = {

@@ -88,7 +88,7 @@ TEST(StopFlag, NewFlagIsIndependentOfAnEarlierOne) {
     const StopFlag stop;
     EXPECT_FALSE(stop.requested());
     EXPECT_EQ(stop.signal(), 0);
-    // This flag has seen only one interrupt so far.
+    // This flag has registered only one interrupt so far.
     raise(SIGINT);
     EXPECT_EQ(stop.signal(), SIGINT);
 }
@@ -132,7 +132,7 @@ TEST(StopFlag, InterruptedReadContinues) {
     const StopFlag stop;
     const pid_t child = fork();
     if (child == 0) {
-        // The parent gets time to begin its read.
+        // The pause lets the parent begin its read.
         usleep(100'000);
         kill(getppid(), SIGUSR1);
         usleep(100'000);

@@ -20,7 +20,7 @@ TEST(Text, ColumnsAreCharactersRatherThanBytes) {
 TEST(Text, ControlCharactersAreEscaped) {
     EXPECT_EQ(printable("a\x1b[1Ab\a\x7f\r\n"),
               "a\\x1b[1Ab\\x07\\x7f\\x0d\\x0a");
-    // U+009B begins a control sequence, as one character and as one byte.
+    // U+009B begins a control sequence, encoded in UTF-8 or as a single byte.
     EXPECT_EQ(printable("\xc2\x9b"
                         "A\x9b"),
               "\\xc2\\x9bA\\x9b");

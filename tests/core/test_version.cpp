@@ -13,7 +13,7 @@ TEST(Version, MacrosAgreeWithTheLibrary) {
     const std::string release = std::to_string(IDEOTYPE_VERSION_MAJOR) + "." +
                                 std::to_string(IDEOTYPE_VERSION_MINOR) + "." +
                                 std::to_string(IDEOTYPE_VERSION_PATCH);
-    // A build between releases appends its commit.
+    // The version of a build between releases ends with its commit.
     const std::string& version = build_info().version;
     EXPECT_EQ(version.substr(0, version.find('+')), release);
 }

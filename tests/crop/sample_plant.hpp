@@ -5,7 +5,7 @@
 
 namespace ideotype {
 
-//! Makes a plant with three different leaves on a stalk taller than the leaves.
+//! Makes a plant with three different leaves and a stalk that rises above them.
 inline Plant sample_plant() {
     Plant plant;
     plant.name = "sample";
@@ -18,7 +18,7 @@ inline Plant sample_plant() {
     return plant;
 }
 
-//! Sums the area of the faces of a group [m2].
+//! Returns the total area of the faces of a group [m2].
 inline double group_area(const Mesh& mesh, const std::string& group) {
     const std::vector<double> areas = face_areas(mesh);
     double sum = 0;

@@ -89,8 +89,8 @@ TEST(Profile, CurvePassesThroughItsValues) {
     EXPECT_DOUBLE_EQ(profile({1, 2}, .25), 1.25);
 }
 
-// Expected: scipy.interpolate.PchipInterpolator of SciPy 1.17.1 at 0.1, 0.3,
-// 0.5, 0.8.
+// Expected values: scipy.interpolate.PchipInterpolator of SciPy 1.17.1 at 0.1,
+// 0.3, 0.5 and 0.8.
 TEST(Profile, CurveAgreesWithPchipOfSciPy) {
     const double expected[][4] = {
         {1.9464999999999997, 2.9755000000000003, 2.5, 2.056},

@@ -73,7 +73,7 @@ TEST(Growth, LeavesAndOrgansAgeFromSilkingOn) {
             << stage;
     }
     EXPECT_EQ(capacity_factor(growth, 1e5), 0.3);
-    // Without ageing factors are 1 to the last bit.
+    // Without ageing all factors are exactly 1.
     for (double time = 0; time < 2500; time += 37) {
         EXPECT_EQ(capacity_factor(hybrid, time), 1);
         EXPECT_EQ(maintenance_factor(hybrid, time), 1);
@@ -113,7 +113,7 @@ TEST(Growth, StemsReachTheFinalCollarHeights) {
     }
 }
 
-//! Returns the area of green leaves, or of dead ones, in a mesh [m2].
+//! Returns the area of green or dead leaves in a mesh [m2].
 double mesh_area(const Mesh& mesh, bool are_leaves) {
     double sum = 0;
     const std::vector<double> areas = face_areas(mesh);
@@ -127,7 +127,7 @@ double mesh_area(const Mesh& mesh, bool are_leaves) {
 TEST(Growth, MeshHasTheGreenAndDeadAreaOfThePlantAtEveryAge) {
     const Plant plant = complete_plant(hybrid, sample_plant());
     ASSERT_EQ(plant.leaves.size(), 19u);
-    // A complete blade has the area 0.7455 length x width.
+    // The area of a complete blade is 0.7455 length x width.
     const std::vector<LeafDates> dates = leaf_dates(hybrid);
     for (const double tau : {60., 300., 700., 887., 1100., 1500., 2100.}) {
         double green = 0, dead = 0;

@@ -75,9 +75,9 @@ TEST_P(EveryLeaf, MidribFollowsTheAnglesOfTheLeaf) {
 }
 
 TEST(LeafSurface, WidthProfileMatchesPublishedMaize) {
-    // Relative widths at tenths of the length and the area factor of a maize
-    // blade; the six-point spline is exact in area and off by up to 0.023 in
-    // width.
+    // Relative widths of a maize blade at tenths of its length, and its area
+    // factor. The six-point spline reproduces the area exactly and the widths
+    // to within 0.023.
     const double published[] = {.28, .70, .88, .935, .97, .98,
                                 .96, .88, .66, .35,  0};
     const LeafSurface leaf({1, 0.1, 45, 0, 0, 0.5}, sample_plant().blade);
@@ -149,7 +149,8 @@ TEST(LeafSurface, RolledBladesKeepLengthWidthAndArea) {
 }
 
 TEST(LeafSurface, DigitisedMidribsAreFollowed) {
-    // An arc by 140 deg with a kink, which no power of arc length has.
+    // The midrib is an arc of 140 deg with a kink, which no power of arc length
+    // can represent.
     Leaf leaf{0.8, 0.1, 0, 0, 0, 0.5};
     glm::dvec2 end{3, 7};
     leaf.midrib = {end};
@@ -172,7 +173,7 @@ TEST(LeafSurface, DigitisedMidribsAreFollowed) {
             std::pow(met.y - wanted.x, 2) + std::pow(met.z - wanted.y, 2);
     }
     EXPECT_LT(std::sqrt(squares / 21), 0.002);
-    // A trait that adds 10 deg to the insertion turns the whole midrib.
+    // Adding 10 deg to the insertion angle rotates the whole midrib.
     leaf.insertion_angle += 10;
     const LeafSurface turned(leaf, sample_plant().blade, 0.01);
     const auto direction = [](const LeafSurface& leaf_surface) {

@@ -17,8 +17,8 @@ namespace {
 constexpr double petiole_length = 0.15, rachis = 0.03;
 constexpr std::uint32_t broad_cells = 6, per_leaflet = 5 * (broad_cells + 1);
 
-//! A plant with three leaves of three leaflets each; the first leaf points
-//! across the row.
+//! Makes a plant with three leaves of three leaflets each. The first leaf
+//! points across the row.
 Plant broad_plant() {
     Plant plant = sample_plant();
     plant.blade.leaflets = 3;
@@ -40,7 +40,7 @@ Mesh build(const Plant& plant) {
     return build_plant(plant, {broad_cells * 3 / 2, 8});
 }
 
-//! Finds the end of a leaflet's midrib, at its base or tip.
+//! Returns the end of a leaflet's midrib at its base or its tip.
 glm::dvec3 find_end(const Mesh& mesh, std::uint32_t leaflet, bool is_tip) {
     return mesh
         .vertices[leaflet * per_leaflet + (is_tip ? 5 * broad_cells : 0) + 2];

@@ -10,8 +10,8 @@
 namespace ideotype {
 namespace {
 
-//! Makes lines with two traits, the angle of the leaf below the highest one and
-//! the height of the stalk, with the sample plant as their mean.
+//! Makes measured lines with two traits, the angle of the leaf below the
+//! highest leaf and the height of the stalk. Their mean is the sample plant.
 MeasuredLines two_traits(double correlation) {
     const Plant plant = sample_plant();
     return {
@@ -30,7 +30,7 @@ TEST(MeasuredLines, DistanceIsInStandardDeviations) {
     EXPECT_NEAR(distance(two_traits(0), plant).from_mean, 2, 1e-12);
     plant.stalk.height += 0.3;
     EXPECT_NEAR(distance(two_traits(0), plant).from_mean, 2.5, 1e-12);
-    // Correlated traits have d^2 = (a^2 - 2 r a b + b^2) / (1 - r^2).
+    // For two correlated traits, d^2 = (a^2 - 2 r a b + b^2) / (1 - r^2).
     EXPECT_NEAR(distance(two_traits(.5), plant).from_mean,
                 std::sqrt((4 - 3 + 2.25) / .75), 1e-12);
     EXPECT_NEAR(distance(two_traits(-.5), plant).from_mean,

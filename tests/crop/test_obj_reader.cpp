@@ -51,12 +51,13 @@ TEST(ObjReader, TrianglesQuadsAndLargerPolygonsKeepTheirArea) {
 }
 
 TEST(ObjReader, ConcavePolygonsKeepTheirArea) {
-    // An arrow head: the corner (1, 1) points inwards.
+    // An arrowhead: the polygon is concave at the corner (1, 1).
     const std::string arrow = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n";
     for (const char* face : {"f 1 2 3 4\n", "f 2 3 4 1\n", "f 3 4 1 2\n",
                              "f 4 1 2 3\n", "f 4 3 2 1\n"})
         EXPECT_NEAR(area(parse(arrow + face)), 1, 1e-12) << face;
-    // A comb of ten upright teeth, which no fan of triangles can cover.
+    // A comb with ten upright teeth, which cannot be triangulated as a single
+    // fan.
     std::string comb, face = "f";
     for (int i = 0; i < 10; ++i)
         comb += "v " + std::to_string(i) + " 0 5\nv " + std::to_string(i) +
@@ -129,8 +130,8 @@ TEST(ObjReader, GroupAndObjectNamesGatherTheirFaces) {
 }
 
 TEST(ObjReader, UnusualButValidSyntaxIsAccepted) {
-    // The text has a byte order mark, CR LF, continuation, forward, backward
-    // and compound indices, colours, signs and exponents.
+    // The text contains a byte order mark, CR LF, continued lines, forward,
+    // backward and compound indices, colours, signs and exponents.
     const ObjMesh obj = parse(
         "\xEF\xBB\xBF# comment\r\n\r\nf 1/1/1 2//2 \\\r\n 3/3\r\n"
         "  v +0 0.0 1e0 .1 .2 .3\r\n\tv 1. 0 1\r\nv 1 1 1\r\nvn 0 0 1\r\n"

@@ -123,7 +123,7 @@ TEST(Plant, SheathMassDoesNotShrinkWithTheStalk) {
     ASSERT_EQ(organs.size(), 4u);
     EXPECT_EQ(organs[2].name, "petiole");
     EXPECT_FALSE(organs[2].is_present);
-    // A truncated cone of 13 (cm2) pi / 12 times its height.
+    // The volume of a truncated cone is pi / 12 times its height times 13 cm2.
     EXPECT_NEAR(organs[0].mass, 100 * std::numbers::pi / 12 * 2 * 13e-4, 1e-12);
     const double around = 2 * (0.025 + 0.021 + 0.014) / 2 * std::numbers::pi;
     EXPECT_NEAR(organs[1].mass, 90 * around * 0.2 * 0.001, 1e-12);
@@ -161,8 +161,9 @@ TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNotLeaves) {
     EXPECT_EQ(mesh.groups.back().material, 2u);
     EXPECT_EQ(mesh.groups.back().id.organ, 2u);
     EXPECT_NEAR(plant_area(mesh).leaves, leaves, 1e-9);
-    // Leaves at 0.1, 0.9 and 1.6 m: 0.1, 0.5 and 0.5 m of sheath show, and 0.3
-    // and 0.2 m of stalk; only sheaths are closed by flat tops.
+    // Leaves are inserted at 0.1, 0.9 and 1.6 m. The visible parts of sheaths
+    // are 0.1, 0.5 and 0.5 m long, those of the stalk 0.3 and 0.2 m. Only
+    // sheaths end in flat tops.
     const auto tops = [](double radius, int count) {
         return count * 8 * std::sin(std::numbers::pi / 8) *
                std::cos(std::numbers::pi / 8) *
@@ -173,7 +174,8 @@ TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNotLeaves) {
     EXPECT_NEAR(group_area(mesh, "sheath"),
                 std::numbers::pi * 0.022 * 1.1 + tops(0.011, 3), 1e-9);
     EXPECT_NEAR(group_area(mesh, "stalk"), std::numbers::pi * 0.02 * 0.5, 1e-9);
-    // Sheaths that are longer than all internodes leave no stalk bare.
+    // If sheaths are longer than all internodes, no part of the stalk is
+    // visible.
     sample.sheath.length = 0.81;
     EXPECT_EQ(group_area(build_plant(sample, {}), "stalk"), 0);
 }
@@ -202,12 +204,13 @@ TEST(Plant, OtherOrgansStandOnTheStalkOrAtALeaf) {
     EXPECT_EQ(mesh.groups[4].name, "stalk_branches");
     EXPECT_EQ(mesh.groups[5].name, "sheath_ear");
     const Box top = find_box(mesh, 4), side = find_box(mesh, 5);
-    // Branches at 1.8, 1.85 and 1.9 m, level, 120 deg apart from +y.
+    // Horizontal branches at 1.8, 1.85 and 1.9 m, 120 deg apart, the first
+    // towards +y.
     EXPECT_NEAR(top.lower.z, 1.8, 0.003);
     EXPECT_NEAR(top.upper.z, 1.9, 0.003);
     EXPECT_NEAR(top.upper.y, 0.2, 0.003);
     EXPECT_NEAR(top.upper.x, 0.2 * std::sin(std::numbers::pi / 3), 0.003);
-    // The ear stands upright at leaf 2, which points to -x.
+    // The ear is vertical, at leaf 2, which points towards -x.
     EXPECT_NEAR(side.lower.z, 0.9, 1e-9);
     EXPECT_NEAR(side.upper.z, 1.1, 1e-9);
     EXPECT_NEAR((side.lower.x + side.upper.x) / 2, -0.01, 1e-9);

@@ -16,7 +16,7 @@ RandomStream stream(std::uint64_t seed = 1) {
     return {seed, Purpose::variation};
 }
 
-//! The mean of a measure over many plants, and its standard deviation.
+//! The mean and standard deviation of a measure over many plants.
 struct Spread {
     double mean, deviation;
 };
@@ -54,7 +54,7 @@ TEST(PlantVariation, PlantsHaveTheGivenMeansAndDeviations) {
            second.insertion_height, .05 * second.insertion_height);
     expect([](const Plant& p) { return p.leaves[1].curvature; },
            second.curvature, 12);
-    // The second of three leaves is the middle third.
+    // With three leaves, the second leaf is the middle third.
     expect([](const Plant& p) { return p.leaves[1].roll; }, 0, 20);
     expect([](const Plant& p) { return p.leaves[2].roll; }, 0, 1);
     expect([](const Plant& p) { return p.stalk.height; }, line.stalk.height,
@@ -98,7 +98,7 @@ TEST(PlantVariation, NoLeafLeansToTheOppositeSideOfTheStalk) {
 }
 
 TEST(PlantVariation, TwistIsSmallForMostBladesAndLargeForSome) {
-    // The measured standard deviation is 86 deg, and 43 deg for half of the
+    // The standard deviation is 86 deg as measured, and 43 deg for half of the
     // plants.
     RandomStream random = stream();
     std::vector<double> sizes;
@@ -124,7 +124,7 @@ TEST(PlantVariation, ScaledPlantsAreSimilar) {
 }
 
 TEST(PlantVariation, PlantsHaveTheFacesOfTheirLine) {
-    // Each sheath ends where the leaf below begins, but for rounding.
+    // Each sheath ends where the leaf below is inserted, up to rounding.
     Plant line = sample_plant();
     line.stalk.base_diameter = .02;
     line.sheath = {{}, true, .18, .001};

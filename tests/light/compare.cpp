@@ -22,8 +22,8 @@ double part_of(const Tally& tally, std::size_t source, const Mesh& mesh,
     throw Error("no group is called " + quantity);
 }
 
-//! Takes fewer paths; for random stands fewer realisations where there are
-//! enough.
+//! Returns an accuracy with fewer paths; for random stands also with fewer
+//! realisations, if there are enough.
 Accuracy spare(const ReferenceScene& scene, const Setup& setup, int thrift) {
     Accuracy accuracy = scene.accuracy;
     if (scene.kind == ReferenceScene::Kind::random) {

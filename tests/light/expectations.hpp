@@ -9,16 +9,17 @@
 
 namespace ideotype {
 
-//! Expects our value within four combined standard errors of a reference, and
-//! our standard error below a bound.
+//! Expects agreement with a reference within four combined standard errors, and
+//! a standard error of ours below a bound.
 void expect_agreement(Estimate ours, Estimate reference, double bound,
                       const std::string& what);
 
-//! Traces and expects finite fractions that close the balance to rounding.
+//! Traces light, and expects finite fractions with a balance that closes to
+//! rounding.
 Fractions closing(const Mesh& mesh, GroundPeriod period, const Optics& optics,
                   const Illumination& light, Accuracy accuracy = {256, 4});
 
-//! Returns the letters and digits of a case's name, for a test's name.
+//! Returns the letters and digits of the name of a case, as a test name.
 std::string test_name(std::string name);
 
 }  // namespace ideotype

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Suns, rays and fields at the limits.
+// Extreme suns, rays and fields.
 #include <cmath>
 #include <ctime>
 #include <limits>
@@ -39,7 +39,8 @@ void grazing_sun(Findings& findings) {
     double least = 1;
     for (const double elevation : {.01, .1, 1.})
         for (const double azimuth : {0., 37., 90., 180., 270.}) {
-            // The time of the processor: other work may share the machine.
+            // Processor time is measured because other work may share the
+            // machine.
             const std::clock_t began = std::clock();
             const Fractions f = findings.closing(mesh, own_cell, par,
                                                  sun_from(elevation, azimuth));
@@ -108,8 +109,8 @@ void edges_and_vertices(Findings& findings) {
                     const glm::dvec3 d{slope * std::sin(a) / length,
                                        slope * std::cos(a) / length,
                                        -1 / length};
-                    // Rays begin slightly above the sheet, so that they stay in
-                    // the cell.
+                    // Rays start slightly above the sheet, so that they cannot
+                    // leave the cell.
                     const double up = 1e-4;
                     const glm::dvec3 from{own_cell.x * i / 14 - d.x / -d.z * up,
                                           own_cell.y * j / 14 - d.y / -d.z * up,
@@ -123,7 +124,7 @@ void edges_and_vertices(Findings& findings) {
 }
 
 void closed_mirror(Findings& findings) {
-    // Light that slips through a seam could never leave again.
+    // Light that slipped through a seam between faces could never escape.
     const Fractions f =
         findings.closing(tiles({0.7, 0.3}, 0.3, 6), {0.7, 0.3},
                          leaf_optics(1, 0, 1), uniform_sky(), {16384, 8});
@@ -158,8 +159,9 @@ void one_centimetre_apart(Findings& findings) {
 }
 
 void fifty_metres_apart(Findings& findings) {
-    // Under the zenith a black plant far from all others absorbs the light on
-    // its projected area; so do four such plants in a field of two rows.
+    // With the sun in the zenith, a black plant far from all others absorbs the
+    // light on its projected area. The same holds for four such plants in a
+    // field of two rows.
     Mesh mesh = leaves_only();
     add_leaf(mesh, {-2, -2, .4}, {4, 0, 0}, {0, 4, 1});
     const Mesh field = in_lattice(mesh, {2, 2, {50, 50}, 0});

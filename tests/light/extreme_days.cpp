@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Days and numbers of paths at the limits.
+// Extreme days and numbers of paths.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -15,12 +15,13 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a place with a clock that shows solar time.
+//! Returns a site where clocks show solar time.
 Site at_latitude(double latitude) {
     return {"somewhere", latitude, 0, 0};
 }
 
-//! Returns the day's light under its clear sky in rows of maize.
+//! Returns the daily light absorbed by leaves in rows of maize under a clear
+//! sky.
 double leaves_over_day(Findings& findings, const LightSeries& day) {
     const SeriesIllumination illumination =
         illuminate(day, SkyModel::clear, 90);
@@ -81,7 +82,8 @@ void polar_night(Findings& findings) {
 }
 
 void sunrise_between_steps(Findings& findings) {
-    // At 66 degrees the sun rises between any two steps or just before one.
+    // At latitude 66 the sun may rise at any point between two steps, or just
+    // before one.
     const Site site = at_latitude(66);
     const Date date{2025, 12, 15};
     const double fine = clear_days(site, {{date}, 0, 24, 1}, .45).incident();
@@ -103,7 +105,7 @@ void one_path(Findings& findings) {
 }
 
 void paths_beyond_two_to_the_32(Findings& findings) {
-    // Path p of randomisation r has the number r x paths + p.
+    // Path p of randomisation r is number r x paths + p.
     const Mesh mesh = load_reference_mesh("maize1");
     const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
     const Accuracy accuracy{4096, 16};
@@ -126,8 +128,8 @@ void paths_beyond_two_to_the_32(Findings& findings) {
 }
 
 void last_paths_of_the_largest_net(Findings& findings) {
-    // The first and the last points of a net of 2^31 paths; any 2^16
-    // consecutive points from a multiple of 2^16 on are a net in every
+    // The first and the last points of a net of 2^31 paths. Each block of 2^16
+    // consecutive points that begins at a multiple of 2^16 is a net in every
     // dimension.
     constexpr std::uint32_t paths = std::uint32_t{1} << 31;
     constexpr std::uint32_t some = 1 << 16;
@@ -142,7 +144,8 @@ void last_paths_of_the_largest_net(Findings& findings) {
                 sum += x / some;
             }
         }
-        // Means of independent numbers deviate by 0.0011.
+        // The standard deviation of means of independent random numbers is
+        // 0.0011.
         for (const double mean : sums)
             findings.require(std::abs(mean - .5) < .005, "means are 1/2");
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leaves and optical properties at the limits that a scene may have.
+// Extreme leaves and optical properties.
 #include <algorithm>
 #include <cmath>
 
@@ -62,7 +62,7 @@ void leaves_of_a_millimetre(Findings& findings) {
         in_lattice(two_leaves(1e-3, 1e-4, 90), {1, 1, {.01, .01}, 0});
     const Fractions f =
         findings.closing(field, {.01, .01}, black, uniform_sky(), {16384, 16});
-    // Leaves hardly shade each other, and cannot absorb more light than falls
+    // Leaves hardly shade each other. They cannot absorb more light than falls
     // on their whole area.
     const double share = f.leaves.mean / (plant_area(field).leaves / 1e-4);
     findings.require(share > .3 && share < 1, ".3 to 1 of the area's light");
@@ -108,8 +108,8 @@ void faces_without_area(Findings& findings) {
 }
 
 void coincident_leaves(Findings& findings) {
-    // A leaf as long as a period ends where its own image begins. A leaf of
-    // twice that length lies on its image everywhere.
+    // A leaf as long as the period ends where its own image begins. A leaf of
+    // twice this length coincides with its image everywhere.
     for (const double length : {1., 2.}) {
         Mesh mesh = leaves_only();
         add_leaf(mesh, {.3, .2, .5}, {length, 0, 0}, {0, .25, 0});

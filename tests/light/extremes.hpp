@@ -15,24 +15,24 @@ inline const Optics black = leaf_optics(0, 0, 0);
 //! Collects the results of one extreme case.
 class Findings {
   public:
-    //! Traces, and requires that all figures are finite fractions and that
-    //! the balance closes to rounding.
+    //! Traces light, and requires that all fractions are finite and that the
+    //! balance closes to rounding.
     Fractions closing(const Mesh& mesh, GroundPeriod period,
                       const Optics& optics, const Illumination& light,
                       Accuracy accuracy = {256, 4});
 
-    //! Requires the same as closing() of fractions that come from elsewhere.
+    //! Requires the same as closing() for fractions that are already computed.
     void require_closed(const Fractions& fractions);
 
-    //! Notes a condition that must hold.
+    //! Records a failure unless a condition holds.
     void require(bool holds, const std::string& what);
 
-    //! Requires our value within four combined standard errors of a reference,
-    //! and our standard error below a bound.
+    //! Requires agreement with a reference within four combined standard
+    //! errors, and a standard error of ours below a bound.
     void require_agreement(Estimate ours, Estimate reference, double bound,
                            const std::string& what);
 
-    //! Notes a result in words.
+    //! Records a result in words.
     void say(const std::string& words);
 
     const std::vector<std::string>& failures() const { return failures_; }
@@ -40,7 +40,7 @@ class Findings {
     int traces() const { return traces_; }
     //! Returns the largest balance error in any randomisation of any trace.
     double balance_error() const { return balance_error_; }
-    //! Returns the noted words, or the distance of values from references.
+    //! Returns the recorded words, or the deviation from references.
     std::string result() const;
 
   private:
@@ -52,7 +52,7 @@ class Findings {
     std::vector<std::string> failures_;
 };
 
-//! A case at the limits of the valid input.
+//! An extreme case of valid input.
 struct ExtremeCase {
     std::string name;  //!< unique name
     std::string expectation;
@@ -63,16 +63,15 @@ std::vector<ExtremeCase> extreme_suns_and_fields();
 std::vector<ExtremeCase> extreme_surfaces();
 std::vector<ExtremeCase> extreme_days_and_paths();
 
-//! Returns all extreme cases.
 std::vector<ExtremeCase> extreme_cases();
 
-//! Returns a mesh of one group of leaves that has no faces yet.
+//! Returns a mesh that has one group of leaves and no faces.
 Mesh leaves_only();
 
-//! Adds a parallelogram that two edges span from a corner.
+//! Adds the parallelogram spanned by two edges at a corner.
 void add_leaf(Mesh& mesh, glm::dvec3 corner, glm::dvec3 u, glm::dvec3 v);
 
-//! Returns a plant of two leaves, the upper one across the row.
+//! Returns a plant of two leaves; the upper leaf points across the row.
 Mesh two_leaves(double length, double width, double insertion_angle);
 
 }  // namespace ideotype

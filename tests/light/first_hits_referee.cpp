@@ -17,7 +17,7 @@ namespace ideotype {
 
 namespace {
 
-//! The surface that is met first; the soil has no group and no side.
+//! The surface that is hit first; the soil has neither group nor side.
 struct Seen {
     bool is_soil;
     std::uint32_t group;
@@ -25,15 +25,16 @@ struct Seen {
     double height;
 };
 
-//! Returns whether two surfaces agree within the precision of float coordinates
-//! and distances.
+//! Returns whether two surfaces are equal, within the single precision of
+//! coordinates and distances.
 bool is_same(const Seen& a, const Seen& b) {
     if (a.is_soil || b.is_soil) return a.is_soil == b.is_soil;
     return a.group == b.group && a.is_adaxial == b.is_adaxial &&
            std::abs(a.height - b.height) < 1e-4;
 }
 
-//! Finds the surface by a ray from above through a point of the beam.
+//! Finds the surface by a ray that comes from above through a point of the
+//! beam.
 Seen by_ray(const RayScene& scene, const glm::dvec3& direction,
             const glm::dvec3& point) {
     const double up = (scene.top() - point.z) / direction.z;
@@ -49,8 +50,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-//! Finds the surface by looking through all images of all faces in double
-//! precision.
+//! Finds the surface by testing all images of all faces in double precision.
 class Exact {
   public:
     Exact(const RayScene& scene, const glm::dvec3& direction,
@@ -119,7 +119,8 @@ class Referee {
         const glm::dvec3 direction =
             not_level(*sun_from(elevation, azimuth).sources[0].direction);
         const std::vector<glm::dvec2> shifts{{.123, .777}, {.61, .05}};
-        // Each point has many faces in its way where the sun is low.
+        // When the sun is low, each point has many faces on its line of sight,
+        // so that fewer points are tested.
         const double fewer = std::min(1., 20 * -direction.z);
         const DepthBuffer buffer(
             scene_, direction,
@@ -163,8 +164,8 @@ Mesh vertical() {
     return mesh;
 }
 
-//! Returns level leaves that end where others begin, at edges and corners of
-//! the cell.
+//! Returns horizontal leaves that share edges, at the edges and corners of the
+//! cell too.
 Mesh tiles() {
     Mesh mesh = leaves_only();
     for (const double x : {0., .25, .5, .75})
@@ -173,7 +174,7 @@ Mesh tiles() {
     return mesh;
 }
 
-//! Returns leaves on the soil, through the soil and below the soil.
+//! Returns leaves that lie on, cross or lie below the surface of the soil.
 Mesh at_the_soil() {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.1, .1, 0}, {.3, 0, 0}, {0, .3, 0});
@@ -182,7 +183,7 @@ Mesh at_the_soil() {
     return mesh;
 }
 
-//! Returns faces on each other: of faces with the same corners, light meets the
+//! Returns coincident faces. Of faces with the same corners, light hits the
 //! first.
 Mesh on_each_other() {
     Mesh mesh = leaves_only();
@@ -195,7 +196,8 @@ Mesh on_each_other() {
     return mesh;
 }
 
-//! Returns a leaf that is longer than the cell, so that it lies above itself.
+//! Returns a leaf that is longer than the cell, so that it overlaps its own
+//! image.
 Mesh overhanging() {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.9, .2, .1}, {2.6, 0, .8}, {.1, .4, 0});

@@ -8,8 +8,8 @@
 
 namespace ideotype {
 
-//! Counts of points of a beam at which the surfaces that depth buffer and ray
-//! see were compared.
+//! Counts of the points of a beam at which the depth buffer and the ray were
+//! compared.
 struct FirstHitsCompared {
     std::string name;
     std::size_t points = 0;
@@ -17,9 +17,9 @@ struct FirstHitsCompared {
     std::size_t wrong = 0;   //!< differing points where the buffer is wrong
 };
 
-//! Compares every reference mesh and meshes at the limits, under suns from 0.01
-//! to 90 deg.
-//! @param points about the number of points of each lattice
+//! Compares depth buffer and ray for all reference meshes and for extreme
+//! meshes, at solar elevations from 0.01 to 90 deg.
+//! @param points approximate number of points of each lattice
 std::vector<FirstHitsCompared> compare_first_hits(int points);
 
 }  // namespace ideotype

@@ -9,8 +9,8 @@
 
 namespace ideotype {
 
-//! Returns the surfaces of copies of a plant in a lattice.
-//! @param turns azimuths of the plants, row by row [deg]; empty: none
+//! Returns the surfaces of copies of a plant on a lattice.
+//! @param turns azimuths of the plants, row by row [deg]; empty: all 0
 inline Mesh in_lattice(const Mesh& plant, const FieldForm& form,
                        const std::vector<double>& turns = {}) {
     Scene scene;

@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! Returns a band with a light that follows no series.
+//! Returns a band whose light does not belong to a series of instants.
 inline Band band_of(const Optics& optics, const Illumination& illumination) {
     Band band;
     band.optics = optics;

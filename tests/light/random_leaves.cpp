@@ -16,7 +16,7 @@ using std::numbers::pi;
 
 constexpr double side = 0.02;
 
-//! Returns the share of leaves with a normal within t [rad] of the vertical.
+//! Returns the share of leaves with normals within t [rad] of the vertical.
 double share_within(LeafAngles angles, double t) {
     switch (angles) {
         case LeafAngles::spherical:
@@ -53,8 +53,8 @@ Mesh random_leaves(LeafAngles angles, double lai, double height,
     RandomStream stream(realisation, Purpose::jitter);
     for (std::uint32_t i = 0; i < count; ++i) {
         const double t = angle_of(angles, (i + .5) / count);
-        // Multiples of the golden ratio are even on the circle for any part of
-        // the leaves.
+        // The azimuths are multiples of the golden ratio of a turn, so that any
+        // subset of consecutive leaves is evenly distributed over the circle.
         const double a = 2 * pi * std::fmod(i * std::numbers::phi, 1.0);
         const double spin = stream.uniform(0, 2 * pi);
         const double margin = side;

@@ -79,7 +79,7 @@ Optics leaf_optics(double reflectance, double transmittance,
 }
 
 double deviation(Estimate ours, Estimate reference) {
-    // Exact values are compared to rounding.
+    // Exact values are compared to within rounding.
     return (ours.mean - reference.mean) /
            (std::hypot(ours.standard_error, reference.standard_error) + 1e-12);
 }

@@ -15,7 +15,7 @@ namespace ideotype {
 //! Returns the widest instruction set of this processor.
 const Device& widest_device();
 
-//! Returns a mesh of tests/data/reference; one group per OBJ group.
+//! Returns a mesh of tests/data/reference; each OBJ group becomes a group.
 Mesh load_reference_mesh(const std::string& name);
 
 //! Returns the period of a reference mesh.
@@ -25,11 +25,11 @@ struct GroundPeriod {
 
 inline constexpr GroundPeriod unit_cell{1, 1};
 
-//! Returns one unit of light on horizontal ground from a sun, with the azimuth
-//! from +y.
+//! Returns the light of a sun that gives unit irradiance on level ground;
+//! azimuths count from +y.
 Illumination sun_from(double elevation, double azimuth);
 
-//! Returns one unit of light on horizontal ground from a sky.
+//! Returns the light of a sky that gives unit irradiance on level ground.
 Illumination sky_of(const SkyRadiance& sky);
 Illumination uniform_sky();
 Illumination overcast_sky();
@@ -41,7 +41,7 @@ struct Fractions {
     double balance_error = 0;
 };
 
-//! Returns the fractions in tallies of all sources together.
+//! Returns the fractions in tallies, summed over all sources.
 Fractions fractions_of(const std::vector<Tally>& tallies, std::size_t groups,
                        double incident);
 

@@ -16,12 +16,12 @@ namespace {
 
 using Kind = ReferenceScene::Kind;
 
-//! Returns the standard error of a value printed to so many decimals.
+//! Returns the standard error due to rounding to the given number of decimals.
 double rounding(int decimals) {
     return std::pow(10., -decimals) / std::sqrt(12.);
 }
 
-//! Returns an exact value that is known to so many decimals.
+//! Returns an exact value that was published with the given number of decimals.
 KnownValue printed(const std::string& quantity, double value, int decimals) {
     return {quantity, {value, rounding(decimals)}};
 }
@@ -34,7 +34,8 @@ Source sky(SkyModel model) {
     return {std::nullopt, 1.0, SkySampler({model, {}})};
 }
 
-//! Returns the light of a file's case such as "maize1/par05/sun60_az180".
+//! Returns the light of a case in a file, from its name such as
+//! "maize1/par05/sun60_az180".
 Source light_of(const std::string& name) {
     const std::string light = name.substr(name.rfind('/') + 1);
     double elevation = 0, azimuth = 0;
@@ -56,7 +57,7 @@ std::function<Mesh(std::uint32_t)> random_mesh(LeafAngles angles,
     };
 }
 
-//! Returns the cases of a file of values from an independent tracer.
+//! Adds the cases of a file with values of an independent tracer.
 void add_file(std::vector<ReferenceScene>& scenes, const std::string& file,
               GroundPeriod period, int paths) {
     std::ifstream stream(std::string(IDEOTYPE_TEST_DATA) + "/reference/" +
@@ -93,7 +94,8 @@ void add_file(std::vector<ReferenceScene>& scenes, const std::string& file,
     }
 }
 
-//! Adds black leaves: 1 - exp(-G LAI / cos z) and its means over two skies.
+//! Adds black leaves. The exact values are 1 - exp(-G LAI / cos z) and its
+//! means over two skies.
 void add_beers_law(std::vector<ReferenceScene>& scenes) {
     struct Row {
         LeafAngles angles;
@@ -131,7 +133,8 @@ void add_beers_law(std::vector<ReferenceScene>& scenes) {
     }
 }
 
-//! Adds horizontal leaves, which scatter any light by the two-stream equations.
+//! Adds horizontal leaves, for which the two-stream equations are exact with
+//! any optics.
 void add_two_stream(std::vector<ReferenceScene>& scenes) {
     struct Row {
         std::string name;
@@ -139,9 +142,10 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
         double leaves, reflected, soil;
         double of_size;  //!< error of the theory for leaves of 2 cm in 10 m
     };
-    // Light that a leaf scatters finds its way back free: stands of 1, 3 and 10
-    // m reflect 0.0025, 0.0010, 0.0004 too much in the near infrared, and a
-    // quarter of that in PAR.
+    // Light scattered by a leaf can escape through the gap through which it
+    // arrived. In the near infrared, stands of 1, 3 and 10 m therefore reflect
+    // 0.0025, 0.0010 and 0.0004 more than the equations predict, in PAR a
+    // quarter of these amounts.
     for (const Row& row :
          {Row{"par", .05, 0, .915722, .026245, .058033, 6e-5},
           {"nir", .42, 0, .353665, .396296, .250039, 25e-5},
@@ -155,8 +159,8 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
                           optics,
                           {},
                           {32768, 256}});
-        // A sample of 7,500 leaves is good to 0.003, which is four of these
-        // errors.
+        // The error due to a sample of 7,500 leaves is up to 0.003, four times
+        // the standard error stated here.
         scenes.push_back({"two-stream, to 0.003",
                           mesh_of("poisson_horizontal_L3"),
                           Kind::fixed,
@@ -182,7 +186,8 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
     }
 }
 
-//! Adds spherical leaves of a turbid medium, from a Monte Carlo solution.
+//! Adds spherical leaf angles in a turbid medium; the reference is a Monte
+//! Carlo solution.
 void add_turbid(std::vector<ReferenceScene>& scenes) {
     const auto known = [](double leaves, double reflected, double soil) {
         const double error = std::hypot(2e-4, rounding(4));
@@ -203,7 +208,8 @@ void add_turbid(std::vector<ReferenceScene>& scenes) {
 }
 
 void add_sheets(std::vector<ReferenceScene>& scenes) {
-    // Half of the light that the sheet transmits comes back to it, and so on.
+    // The soil reflects half of the light that the sheet transmits back to the
+    // sheet, and so on.
     const std::vector<KnownValue> one{{"leaves", {1 / 1.1, 0}},
                                       {"soil", {.04 / .99, 0}},
                                       {"reflected", {.05 / .99, 0}}};
@@ -230,7 +236,7 @@ void add_sheets(std::vector<ReferenceScene>& scenes) {
          {65536, 64}});
 }
 
-//! Adds a furnace: where nothing absorbs, irradiance is 1 on all faces.
+//! Adds a furnace: if no surface absorbs, the irradiance is 1 on all faces.
 void add_furnace(std::vector<ReferenceScene>& scenes) {
     const GroundPeriod period{.76, .15};
     const auto mesh = mesh_of("maize1");
@@ -244,8 +250,8 @@ void add_furnace(std::vector<ReferenceScene>& scenes) {
            sky(SkyModel::uniform),
            {{"leaves", {0, 0}}, {"soil", {0, 0}}, {"reflected", {1, 0}}}}},
          {1024, 64}});
-    // A little absorption shows the irradiance. Leaves take at most twice their
-    // area times the absorptance away from the light, here 7e-4.
+    // A small absorptance makes the irradiance measurable. It reduces the light
+    // by at most twice the leaf area times the absorptance, here 7e-4.
     const double absorptance = 1e-4;
     ReferenceCase grey{"furnace/grey", sky(SkyModel::uniform), {}};
     const Mesh maize = mesh(0);

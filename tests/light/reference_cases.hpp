@@ -10,8 +10,8 @@
 
 namespace ideotype {
 
-//! A known value of one light in a scene: of "leaves", "soil", "reflected" or a
-//! group of the mesh, as a fraction of the incident light.
+//! A known value under one light in a scene, as a fraction of the incident
+//! light. The name is "leaves", "soil", "reflected" or a group of the mesh.
 struct KnownValue {
     std::string quantity;
     Estimate value;
@@ -24,14 +24,14 @@ struct ReferenceCase {
     std::vector<KnownValue> known;
 };
 
-//! A stand with known light. Groups can be distinguished only under a single
+//! A stand with known values. Groups can be distinguished only under a single
 //! light.
 struct ReferenceScene {
     std::string origin;  //!< origin of the known values
-    //! The stand; if random, a realisation of it.
+    //! The stand; for random stands, one realisation.
     std::function<Mesh(std::uint32_t realisation)> mesh;
-    //! A random stand has a new realisation for each randomisation, so that
-    //! the standard error of ours includes that of the sample of leaves.
+    //! Random stands have a new realisation in each randomisation, so that our
+    //! standard error includes the sampling of leaves.
     enum class Kind { fixed, random } kind;
     GroundPeriod period{};
     Optics optics;
@@ -46,7 +46,7 @@ std::vector<ReferenceScene> reference_scenes();
 //! Returns the number of cases.
 std::size_t count_cases(const std::vector<ReferenceScene>& scenes);
 
-//! One known value next to our value.
+//! A known value and ours.
 struct Comparison {
     std::string name;
     std::string quantity;
@@ -65,8 +65,9 @@ struct SceneResult {
 };
 
 //! Traces a scene in one setup and compares all known values.
-//! @param thrift how many times fewer paths than it takes to meet the bound,
-//! a power of two; the bound grows with its power 3/4, as errors of nets do
+//! @param thrift the factor, a power of two, by which the number of paths is
+//! smaller than the number that meets the bound. The bound is larger by this
+//! factor to the power 3/4, as for errors of nets.
 SceneResult compare(const ReferenceScene& scene, const Setup& setup,
                     int thrift = 1);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int randomisations = 32;
 
-//! Returns the campaign with 36 plants and a sun for every hour.
+//! Returns the campaign with 36 plants and a sun position for every hour.
 Campaign ames(const std::string& campaigns) {
     Campaign campaign = read_campaign(campaigns + "/ames.toml");
     campaign.spec.field.rows = campaign.spec.field.plants = 6;
@@ -22,7 +22,7 @@ Campaign ames(const std::string& campaigns) {
     return campaign;
 }
 
-//! The field of the baseline in the light of its day at Ames.
+//! The field of the baseline under the light of its day at Ames.
 struct Baseline {
     explicit Baseline(const std::string& campaigns)
         : campaign(ames(campaigns)),
@@ -50,7 +50,7 @@ struct Baseline {
     RayScene surfaces;
 };
 
-//! Fits a straight line by least squares.
+//! A straight line fitted by least squares.
 class Line {
   public:
     void add(double x, double y) {
@@ -66,7 +66,7 @@ class Line {
     double n_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0;
 };
 
-//! Prints a row for 2^k paths; returns the relative standard error.
+//! Prints a row for 2^k paths and returns the relative standard error.
 double measure(const Baseline& baseline, int k) {
     const auto began = std::chrono::steady_clock::now();
     const BudgetEstimate light = baseline.light(1 << k);

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t runs = 1000;
 
-//! Accuracies with many randomisations, and with few of many points.
+//! Accuracies with many randomisations of few points, and with few
+//! randomisations of many points.
 constexpr Accuracy accuracies[] = {{256, 32}, {2048, 8}};
 
 using Figure = std::function<double(const Tally&)>;
@@ -25,8 +26,8 @@ double total(const Tally& tally) {
     return sum;
 }
 
-//! Returns the spread of the estimates of a figure over the root of their mean
-//! squared standard error.
+//! Returns the spread of the estimates of a quantity divided by the root of
+//! their mean squared standard error.
 Estimate ratio(const std::vector<std::vector<Tally>>& all,
                const Figure& figure) {
     std::vector<double> means, variances;

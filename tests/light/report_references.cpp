@@ -37,7 +37,8 @@ struct Deviations {
                                  });
     }
 
-    //! Returns the share of comparisons off by more than so many errors.
+    //! Returns the share of comparisons that deviate by more than the given
+    //! number of standard errors.
     double beyond(double errors) const {
         const auto count = std::count_if(
             all.begin(), all.end(),
@@ -67,12 +68,12 @@ void print_values(const std::vector<Comparison>& comparisons) {
             c.ours.mean, c.ours.standard_error, c.off(), c.origin);
 }
 
-//! Returns the stand of a case: its name before the first slash.
+//! Returns the stand of a case, the part of the name before the first slash.
 std::string get_stand(const Comparison& c) {
     return c.name.substr(0, c.name.find('/'));
 }
 
-//! Prints a row for each stand, in the order of its first case.
+//! Prints a row for each stand, in the order in which stands first occur.
 void print_stands(const std::vector<Comparison>& comparisons) {
     fmt::print(
         "| stand | cases | values | largest deviation [s.e.] | source |\n"

@@ -17,7 +17,7 @@ glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double t) {
             a.z + t * (b.z - a.z)};
 }
 
-//! Returns the part of a convex polygon where sign * axis >= sign * at.
+//! Returns the part of a convex polygon in which sign * axis >= sign * at.
 Polygon clipped(const Polygon& polygon, double glm::dvec3::*axis, double at,
                 double sign) {
     Polygon part;
@@ -33,8 +33,8 @@ Polygon clipped(const Polygon& polygon, double glm::dvec3::*axis, double at,
     return part;
 }
 
-//! Returns the parts of a polygon in strips of a width, each moved into the
-//! first strip.
+//! Returns the parts of a polygon in strips of the given width, each moved into
+//! the first strip.
 std::vector<Polygon> wrapped(const Polygon& polygon, double glm::dvec3::*axis,
                              double width) {
     const auto [least, most] =
@@ -136,7 +136,7 @@ Mesh as_triangles(const Mesh& mesh) {
             result.faces.push_back({a, b, middle, middle});
             result.faces.push_back({a, middle, c, c});
         } else {
-            // The ray tracer folds a quadrilateral along this diagonal.
+            // The ray tracer splits a quadrilateral along this diagonal.
             result.faces.push_back({a, b, d, d});
             result.faces.push_back({c, d, b, b});
         }

@@ -10,33 +10,35 @@
 
 namespace ideotype {
 
-//! A mesh, its period and its light.
+//! A mesh with its period and its light.
 struct Setting {
     Mesh mesh;
     GroundPeriod period{};
     Illumination light;
 };
 
-//! One of the ways in which the engine can be asked for the same answer.
+//! A way to compute the light of a stand with the engine; all setups must
+//! agree.
 struct Setup {
     std::string name;
     std::string isa;  //!< instruction set, which sets the width of the tree
     std::uint64_t seed = 1;  //!< seed of the light's paths
-    //! The factor by which there are more randomisations of fewer paths each.
+    //! The factor by which the number of randomisations increases and the
+    //! number of paths in each decreases.
     int split = 1;
-    //! Describes the same stand in another way.
+    //! Converts the stand to an equivalent description.
     void (*rewrite)(Setting&) = nullptr;
 };
 
-//! Returns all setups; the first is the usual one, with the widest instruction
-//! set and the mesh as it is.
+//! Returns all setups. The first is the standard one: the widest instruction
+//! set and the unchanged mesh.
 std::vector<Setup> setups();
 
-//! Cuts every face into two triangles with the same surface.
+//! Cuts every face into two triangles that form the same surface.
 Mesh as_triangles(const Mesh& mesh);
 
-//! Cuts every face along the sides of the cells and moves its parts into the
-//! cell at the origin.
+//! Cuts every face at the sides of cells, and moves the parts into the cell at
+//! the origin.
 Mesh cut_and_wrapped(const Mesh& mesh, GroundPeriod period);
 
 }  // namespace ideotype

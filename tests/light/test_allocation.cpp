@@ -24,7 +24,8 @@ double cost_of(const ByOrigin<double>& costs, const Amounts& amounts) {
 TEST(Allocation, IsNeymansForIndependentDraws) {
     const Amounts amounts =
         allocate({{{1, 9, 1}, {10, .4, 1}, {1, 1, 1}}}, {1, 4, 1}, .5);
-    // In proportion to the deviation over the root of the cost.
+    // Amounts are proportional to the standard deviation divided by the root of
+    // the cost.
     EXPECT_NEAR(amounts[1] / amounts[0], (2. / 2) / 3, 1e-9);
     EXPECT_NEAR(amounts[2] / amounts[0], 1. / 3, 1e-9);
     EXPECT_NEAR(9 / amounts[0] + 4 / amounts[1] + 1 / amounts[2], .5, 1e-9);
@@ -39,7 +40,7 @@ TEST(Allocation, IsCheapestForAnyPowers) {
         for (const double change : {.97, 1.03}) {
             Amounts other = best;
             other[o] *= change;
-            // The others make up for it.
+            // The other amounts are scaled so that the variance is unchanged.
             double lower = .5, upper = 2;
             for (int i = 0; i < 60; ++i) {
                 const double middle = (lower + upper) / 2;

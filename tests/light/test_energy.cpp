@@ -32,8 +32,8 @@ TEST(Energy, AStandWithoutLeavesIsItsSoil) {
 TEST(Energy, ALeafOnTheSoilLetsLightThroughToIt) {
     Mesh mesh = leaves_only();
     add_sheet(mesh, {1, 1}, 0, 0);
-    // The leaf transmits 0.4; half of it comes back from the soil, and 0.4 of
-    // that once more ...
+    // The leaf transmits 0.4; the soil reflects half of this to the leaf, which
+    // transmits 0.4 of it again, and so on.
     const Fractions f = trace(mesh, {1, 1}, leaf_optics(.4, .4, .5),
                               sun_from(60, 0), {1 << 14, 16});
     expect_agreement(f.leaves, {.25, 0}, 1e-3, "leaves");
@@ -70,8 +70,8 @@ TEST(Energy, SameSeedSameBitsOtherSeedOtherBits) {
 }
 
 TEST(Energy, StandardErrorIsThatOfTheSpread) {
-    // Over many independent estimates the spread must be the error that each
-    // reports.
+    // The spread of many independent estimates must agree with the standard
+    // error that each of them reports.
     const Mesh mesh = load_reference_mesh("maize1");
     std::vector<double> means;
     double variance = 0;
@@ -85,7 +85,7 @@ TEST(Energy, StandardErrorIsThatOfTheSpread) {
         variance += e.standard_error * e.standard_error / runs;
     }
     const double spread = estimate(means).standard_error * std::sqrt(runs);
-    // The ratio of two such estimates is good to about 6 %.
+    // The ratio of two such estimates is accurate to about 6 %.
     EXPECT_NEAR(spread / std::sqrt(variance), 1, 0.2);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything at the limits of valid input.
+// Tests extreme but valid input.
 #include <gtest/gtest.h>
 
 #include "expectations.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth buffers of beams against rays, and lattices of their points.
+// Tests depth buffers of beams against rays, and the lattices of their points.
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -20,7 +20,8 @@ TEST(FirstHits, AreThoseOfRays) {
     for (const FirstHitsCompared& mesh : compare_first_hits(300)) {
         EXPECT_GT(mesh.points, 5000u) << mesh.name;
         EXPECT_EQ(mesh.wrong, 0u) << mesh.name;
-        // The ray tracer's single precision puts edges elsewhere.
+        // In the ray tracer's single precision, the edges of faces are at
+        // slightly different positions.
         EXPECT_LT(static_cast<double>(mesh.differ),
                   2e-3 * static_cast<double>(mesh.points))
             << mesh.name;
@@ -36,7 +37,7 @@ TEST(BeamLattice, RepeatsWithTheCell) {
             EXPECT_GE(lattice.points(), points);
             EXPECT_LE(lattice.fine, lanes);
             EXPECT_EQ(std::gcd(lattice.points(), std::int64_t{36}), 1);
-            // Both steps lead to the pixels they say.
+            // Each step leads to the pixel with the stated number.
             for (const auto& [step, number] :
                  {std::pair{lattice.step_u, lattice.number_u},
                   std::pair{lattice.step_v, lattice.number_v}}) {
@@ -45,7 +46,7 @@ TEST(BeamLattice, RepeatsWithTheCell) {
                 for (const double periods : {off.x / 1.52, off.y / .3})
                     EXPECT_NEAR(periods, std::round(periods), 1e-9);
             }
-            // A pixel has its share of the cell.
+            // The area of a pixel is its share of the cell.
             EXPECT_NEAR((lattice.step_u.x * lattice.step_v.y -
                          lattice.step_u.y * lattice.step_v.x) *
                             static_cast<double>(lattice.pixels),
@@ -53,7 +54,8 @@ TEST(BeamLattice, RepeatsWithTheCell) {
         }
 }
 
-//! Beams of one sun over a level leaf, by so many first hits.
+//! Returns the light of a level leaf under beams of one sun, with the given
+//! number of first hits.
 Estimate leaf_light(std::uint32_t first_hits, int randomisations,
                     const Optics& optics = {}) {
     Mesh mesh = leaves_only();
@@ -75,7 +77,8 @@ Estimate leaf_light(std::uint32_t first_hits, int randomisations,
 TEST(FirstHits, AreDrawnWithoutBiasForAnyNumberOfRandomisations) {
     for (const int randomisations : {2, 3, 4, 7, 16, 40}) {
         const Estimate leaves = leaf_light(256, randomisations);
-        // Few randomisations may happen to agree: to two points of each.
+        // A few randomisations may agree by chance, so that the tolerance is at
+        // least two points of each randomisation.
         const double point = 2. / 256 / std::sqrt(randomisations);
         EXPECT_NEAR(leaves.mean, .2, 4 * std::max(leaves.standard_error, point))
             << randomisations;
@@ -86,7 +89,8 @@ TEST(FirstHits, ErrorsFallFasterThanThoseOfIndependentPoints) {
     const double few = leaf_light(128, 256).standard_error;
     const double many = leaf_light(8192, 256).standard_error;
     EXPECT_LT(few, std::sqrt(.2 * .8 / 128 / 256));
-    // Sixty-four times the points: an eighth for independent ones.
+    // With 64 times as many points, the error of independent points would be an
+    // eighth.
     EXPECT_LT(many, few / 12);
 }
 
@@ -105,7 +109,8 @@ TEST(FirstHits, ARandomisationIsTheSameHoweverManyFollow) {
     EXPECT_EQ(first(16), first(40));
 }
 
-//! All engines have the first of faces with the same corners alone.
+//! In all engines, only the first of several faces with the same corners
+//! receives light.
 TEST(Coincident, OnlyTheFirstFaceIsLit) {
     Mesh mesh = leaves_only();
     mesh.groups.push_back({"again"});
@@ -120,14 +125,14 @@ TEST(Coincident, OnlyTheFirstFaceIsLit) {
         EXPECT_NEAR(f.groups[0].mean, 1, 1e-12);
         EXPECT_EQ(f.groups[1].mean, 0);
     }
-    // Half of the leaf area is hidden.
+    // The hidden face is half of the leaf area.
     const SunlitFractions sunlit =
         sunlit_fractions(scene, mesh, sun_from(40, 10), {1024, 2}, {1, 0, 0});
     EXPECT_NEAR(sunlit.fractions[0][0], .5, 1e-2);
 }
 
-//! Faces that lie on each other in part, or on their own images, are one
-//! surface: to beams, to skies, and for the sunlit area.
+//! Partly coincident faces, and faces that coincide with their own images, act
+//! as one surface for beams, skies and the sunlit area.
 TEST(Coincident, FacesOnEachOtherAreOneSurface) {
     for (const double slope : {0., .3}) {
         Mesh one = leaves_only(), two = one, wrapped = one;

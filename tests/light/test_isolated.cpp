@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots that stand alone on an infinite plane of soil.
+// Tests plots that stand alone on an infinite plane of soil.
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +12,7 @@ namespace {
 
 const Optics black = leaf_optics(0, 0, 0);
 
-//! Figures in units of the light that falls on the ground area.
+//! Results relative to the light that falls on the ground area.
 struct Plot {
     Estimate leaves, soil, reflected, incident;
 };
@@ -39,7 +39,7 @@ Plot trace_plot(const Mesh& mesh, const Optics& optics,
             part(&Budget::reflected), part(&Budget::incident)};
 }
 
-//! Returns a closed box on the soil, open below.
+//! Returns a box that stands on the soil without a bottom.
 Mesh box(double x, double y, double z) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {0, 0, z}, {x, 0, 0}, {0, y, 0});
@@ -74,13 +74,13 @@ TEST(Isolated, AVerticalSheetTakesItsAreaTimesTheCosine) {
                         1, 1e-4)
                 << elevation << " " << azimuth;
         }
-    // Each side sees half of the sky.
+    // Each side receives light from half of the sky.
     EXPECT_NEAR(trace_plot(mesh, black, uniform_sky()).leaves.mean, .5, 1e-4);
 }
 
 TEST(Isolated, AWallSeesTheSkyThatItFaces) {
-    // Irradiance of a wall over that of the ground under an overcast sky:
-    // (1/2 + 4/(3 pi)) / (1 + 4/3), by integrating 1 + 2 cos z.
+    // Irradiance of a wall relative to that of the ground under an overcast
+    // sky: (1/2 + 4/(3 pi)) / (1 + 4/3), the integral over 1 + 2 cos z.
     Mesh wall = leaves_only();
     add_leaf(wall, {0, 0, 0}, {0, .5, 0}, {0, 0, 1});
     Illumination sky = uniform_sky();
@@ -89,7 +89,8 @@ TEST(Isolated, AWallSeesTheSkyThatItFaces) {
     expect_agreement(trace_plot(wall, black, sky).leaves, {expected, 0}, 5e-4,
                      "both sides of half a square metre");
 
-    // Under a clear one the balance closes, and a sheet takes its area.
+    // Under a clear sky the balance closes, and a level sheet absorbs the light
+    // on its area.
     sky.sources[0].sky = SkySampler({SkyModel::clear, {50, 120}});
     Mesh sheet = leaves_only();
     add_leaf(sheet, {0, 0, 1}, {1, 0, 0}, {0, .4, 0});
@@ -108,7 +109,8 @@ TEST(Isolated, ABlackBoxTakesWhatEntersMoreThanItsGroundReceives) {
 }
 
 TEST(Isolated, ASheetHighAboveBrightSoilIsLitFromBelowToo) {
-    // Its own shadow takes less than (sheet area / height^2) of that.
+    // The shadow of the sheet reduces the reflected light by less than the
+    // fraction (sheet area / height^2).
     Mesh mesh = leaves_only();
     add_leaf(mesh, {0, 0, 50}, {1, 0, 0}, {0, 1, 0});
     for (const Illumination& light : {sun_from(40, 10), uniform_sky()})
@@ -117,8 +119,9 @@ TEST(Isolated, ASheetHighAboveBrightSoilIsLitFromBelowToo) {
 }
 
 TEST(Isolated, AWallOnBrightSoilSeesItUpToTheHorizon) {
-    // A uniform sky lights each face with 1/2; the soil adds albedo / 2 less
-    // the shade of the wall itself, which the furnace below checks.
+    // Under a uniform sky the irradiance of each face is 1/2 from the sky plus
+    // albedo / 2 from the soil, less the effect of the wall's own shade, which
+    // the furnace below tests.
     Mesh mesh = leaves_only();
     add_leaf(mesh, {0, 0, 40}, {0, 1, 0}, {0, 0, 1});
     expect_agreement(
@@ -158,7 +161,7 @@ TEST(Isolated, FiguresReferToTheGroundArea) {
 }
 
 TEST(Isolated, IsWhatAPeriodicStandIsUnderAZenithSunWithoutScattering) {
-    // Then no light crosses from plot to plot.
+    // At this distance no light passes from one plot to another.
     Mesh mesh = load_reference_mesh("maize1");
     const Fractions stand =
         trace(mesh, {10, 10}, black, sun_from(90, 0), {65536, 32});

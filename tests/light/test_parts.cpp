@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light that leaves absorb is resolved by origin, face and layer, and the
-// leaf area that is sunlit is known.
+// Tests that the light absorbed by leaves is resolved by origin, face and
+// layer, and that the sunlit leaf area is right.
 #include <cmath>
 
 #include "expectations.hpp"
@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-//! Returns an instant of one second with this much light of sun and sky.
+//! Returns an instant of one second with the given light of sun and sky.
 LightSeries instant(SunPosition sun, double beam, double diffuse) {
     return {{{12, 1, sun, {beam, diffuse}}}};
 }
@@ -31,8 +31,8 @@ DayReport report_of(const Mesh& mesh, GroundPeriod period, const Optics& optics,
     return result;
 }
 
-//! Horizontal sheets over the whole period at these heights, seen from above
-//! counter-clockwise.
+//! Makes horizontal sheets over the whole period at the given heights, with
+//! corners counter-clockwise as seen from above.
 Mesh sheets(std::initializer_list<double> heights) {
     Mesh mesh = leaves_only();
     for (const double z : heights)
@@ -48,7 +48,8 @@ TEST(Parts, LightOfSunAndSkyIsToldFromWhatOtherSurfacesScatter) {
     const double incident = 4, absorptance = .6;
     EXPECT_NEAR(r.day.leaves_beam.mean, 3 * absorptance, 1e-2);
     EXPECT_NEAR(r.day.leaves_sky.mean, 1 * absorptance, 1e-2);
-    // Soil sends albedo * 0.4 of all light back up; no leaf reflects.
+    // The soil reflects albedo * 0.4 of the incident light; leaves reflect
+    // nothing.
     expect_agreement(r.day.leaves_scattered,
                      {incident * .4 * albedo * absorptance, 0}, 2e-2,
                      "scattered");
@@ -96,13 +97,13 @@ TEST(Parts, LeafAreaBelowTheSoilIsShaded) {
 }
 
 TEST(Parts, SunlitAreaOfRandomHorizontalLeavesFollowsBeer) {
-    // Sunlit leaf area index (1 - exp(-L)) for any sun: Monsi and Saeki 1953
-    // (doi:10.1093/aob/mci052 in English).
+    // The sunlit leaf area index is (1 - exp(-L)) for any sun: Monsi and Saeki
+    // 1953 (doi:10.1093/aob/mci052 in English).
     const Mesh mesh = load_reference_mesh("poisson_horizontal_L3");
     for (const double zenith : {0., 60.}) {
         const DayReport r =
             report_of(mesh, {1, 1}, black, instant({zenith, 77}, 1, 0));
-        // All light that black leaves take falls on sunlit area.
+        // All light absorbed by black leaves falls on sunlit area.
         const double lai = plant_area(mesh).leaves;
         const Estimate sunlit = *r.steps[0].sunlit;
         expect_agreement(
@@ -141,7 +142,7 @@ TEST(Parts, APlotIsSunlitWhereverItStands) {
     add_leaf(mesh, {500, -30, 1}, {1, 0, 0}, {0, 1, 0});
     add_leaf(mesh, {500, -30, .5}, {1, 0, 0}, {0, 1, 0});
     const RayScene plot = RayScene::isolated(widest_device(), mesh, 1);
-    // The lower sheet is shifted out of the shade by half its width.
+    // The lower sheet is displaced by half its width, out of the shade.
     const SunlitFractions sunlit =
         sunlit_fractions(plot, mesh, sun_from(45, 90), {4096, 2}, {1, 0, 0});
     EXPECT_NEAR(sunlit.fractions[0][0], .75, 2e-3);

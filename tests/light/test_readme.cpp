@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// README.md and reference_values.md are written by light_report; these tests
-// fail when they are out of date.
+// light_report writes README.md and reference_values.md; these tests fail if
+// the files are out of date.
 #include <fstream>
 #include <sstream>
 
@@ -34,7 +34,8 @@ TEST(Readme, HasEveryReferenceValueAndNoOther) {
     const std::string count = "**" + std::to_string(cases) + " cases, " +
                               std::to_string(values) + " values**";
     EXPECT_NE(read_page("README.md").find(count), std::string::npos) << count;
-    // The heading of the table and the line below it begin in the same way.
+    // The header of the table and its separator line begin with the same
+    // character as rows.
     std::size_t rows = 0;
     for (std::size_t at = text.find("\n|"); at != std::string::npos;
          at = text.find("\n|", at + 1))

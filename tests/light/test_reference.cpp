@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact and independently computed values, with fewer paths than the report
-// in README.md takes, and each setup of the engine with some of them.
+// Tests exact and independently computed values with fewer paths than the
+// report in README.md, and all setups of the engine for some of the values.
 #include <gtest/gtest.h>
 
 #include "expectations.hpp"
@@ -72,7 +72,7 @@ TEST(Setups, KeepTheAreaOfLeaves) {
 }
 
 TEST(RandomLeaves, HaveTheirAreaAndTheirProjection) {
-    // G(0) of the distributions: the mean of |cos t|.
+    // The projection G(0) of each distribution is the mean of |cos t|.
     for (const auto& [angles, projection] :
          {std::pair{LeafAngles::spherical, .5},
           std::pair{LeafAngles::planophile, .84883},

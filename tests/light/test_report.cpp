@@ -9,7 +9,7 @@
 namespace ideotype {
 namespace {
 
-//! Two instants and two tallies made up by hand.
+//! Two instants with two invented tallies.
 class MadeUpDay : public ::testing::Test {
   protected:
     MadeUpDay() {
@@ -53,7 +53,7 @@ TEST_F(MadeUpDay, AddsSourcesUpToTheDay) {
 TEST_F(MadeUpDay, GivesEachInstantItsBeamAndItsShareOfTheSky) {
     const DayReport r = report(tallies, light);
     ASSERT_EQ(r.steps.size(), 2u);
-    // The sky of 50 W m-2 for 1800 s is 1/7 of the day's diffuse light.
+    // The sky of 50 W m-2 during 1800 s is 1/7 of the daily diffuse light.
     EXPECT_DOUBLE_EQ(r.steps[0].budget.incident, 150);
     EXPECT_NEAR(r.steps[0].budget.leaves.mean, 95e3 / 1800 + 305e3 * 50 / 630e3,
                 1e-9);
@@ -88,7 +88,7 @@ TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
               clear.relative_brightness(aslant));
     EXPECT_DOUBLE_EQ(light.light.energy(), day.incident());
 
-    // Each instant has only the light of its sources.
+    // Each instant receives light only from its own sources.
     tallies = {
         {{{1800, 0, 0, 0}, {3600, 0, 0, 0}, {900, 0, 0, 0}, {7200, 0, 0, 0}},
          {}},
@@ -101,7 +101,7 @@ TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
     EXPECT_EQ(r.steps[2].budget.incident, 50);
 }
 
-//! Six days of a sun that is lower each day, of which two stand for all.
+//! Six days on which the sun is lower each day; two of them represent all.
 class MadeUpSeason : public ::testing::Test {
   protected:
     MadeUpSeason() {
@@ -120,7 +120,7 @@ class MadeUpSeason : public ::testing::Test {
 };
 
 TEST_F(MadeUpSeason, HasTheSunsOfAFewDates) {
-    // The beams are those of the second and the fifth day, at two hours each.
+    // Beams exist for the second and the fifth day, two hours each.
     EXPECT_EQ(light.beam_of, (std::vector<int>{0, 1, -1, 0, 1, -1, 0, 1, -1, 2,
                                                3, -1, 2, 3, -1, 2, 3, -1}));
     EXPECT_EQ(light.sky_of, std::vector<int>(18, 4));
@@ -154,14 +154,15 @@ TEST_F(MadeUpSeason, MayHaveAllItsSuns) {
               13u);
     light = illuminate(series, SkyModel::clear, 0, Skies::shared, 2);
     EXPECT_EQ(light.light.sources.size(), 4u + 4u);
-    // At 12:00 the sun has set; it has the sky of the nearest that is up.
+    // At 12:00 the sun has set, so that the instant uses the nearest sky with a
+    // sun above the horizon.
     EXPECT_EQ(light.sky_of[2], light.sky_of[17]);
 }
 
-//! A leaf over black soil, and the known part of its light.
+//! A leaf over black soil, of which the light is known in part.
 class Certainty : public ::testing::Test {
   protected:
-    //! Returns the report of the light of one second.
+    //! Returns the report of the light in one second.
     DayReport seen(double side, const Optics& optics, double stalk = 0) const {
         Mesh mesh;
         mesh.groups = {{"leaf01"}, {"leaf02"}, {"stalk", {0, 1}, 1}};
@@ -180,8 +181,8 @@ class Certainty : public ::testing::Test {
                       light);
     }
 
-    //! The light of a path: 2 J are shared by 2 x 256 paths in each of 8
-    //! randomisations.
+    //! The light of one path: 2 J are distributed over 2 x 256 paths in each of
+    //! 8 randomisations.
     static constexpr double path = 2. / 512 / 8;
 };
 
@@ -209,12 +210,12 @@ TEST_F(Certainty, IsFullOfWhatTheSceneDoesNotHave) {
         EXPECT_EQ(x.mean, 0);
         EXPECT_EQ(x.standard_error, 0);
     };
-    expect_none(r.day.organs);            // no face
-    expect_none(r.groups[1]);             // no face
-    expect_none(r.layers[0]);             // no face
+    expect_none(r.day.organs);            // no face in this group
+    expect_none(r.groups[1]);             // no face in this group
+    expect_none(r.layers[0]);             // no face in this layer
     expect_none(r.day.reflected);         // black surfaces
     expect_none(r.day.leaves_scattered);  // black surfaces
-    expect_none(r.day.leaves_sky);        // no source
+    expect_none(r.day.leaves_sky);        // no sky
     EXPECT_NEAR(seen(0, {}).day.soil.standard_error, 0, 1e-15);
     Optics white;
     white.materials = {{.5, .5}};

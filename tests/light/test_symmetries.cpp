@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light that is described in another way is absorbed alike.
+// Equivalent descriptions of a stand give equal light.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,7 +18,7 @@ Mesh moved(Mesh mesh, const std::function<glm::dvec3(const glm::dvec3&)>& to) {
     return mesh;
 }
 
-//! Expects the same budget from two descriptions of a stand.
+//! Expects that two descriptions of a stand give equal budgets.
 void expect_same(const Fractions& a, const Fractions& b, double bound,
                  const std::string& what) {
     expect_agreement(a.leaves, b.leaves, bound, what + ": leaves");
@@ -61,7 +61,7 @@ TEST(Symmetry, SeveralPeriodsAreOne) {
 }
 
 TEST(Symmetry, LeavesCutAtTheCellAndWrappedAreTheSameLeaves) {
-    // One leaf reaches over the cell's side; cut there, its two parts lie on
+    // A leaf crosses the side of the cell. If it is cut there, its parts lie at
     // opposite sides of the cell.
     Mesh whole = leaves_only(), cut = leaves_only();
     add_leaf(whole, {.7, .2, .4}, {.6, 0, .3}, {0, .5, 0});
@@ -80,7 +80,7 @@ TEST(Symmetry, TheOrderOfPlantsIsOfNoMatter) {
         return closing(in_lattice(plant, form, turns), {.76, .45}, nir,
                        sun_from(50, 30), fine);
     };
-    // A rotation of the three is a shift along the row.
+    // Rotating the order of the three plants is a shift along the row.
     expect_same(with({20, -8, 3}), with({-8, 3, 20}), 8e-4, "rotated");
 
     Mesh mesh = in_lattice(plant, form, {20, -8, 3});
@@ -101,8 +101,9 @@ TEST(Symmetry, AMirroredStandUnderAMirroredSunIsTheSame) {
 }
 
 TEST(Symmetry, AStandUpsideDownTransmitsAsMuch) {
-    // Reciprocity: the light of a uniform sky on black soil is that of a
-    // uniform soil would send to the sky. Reflection and absorption may differ.
+    // Reciprocity: black soil absorbs as much light of a uniform sky as the sky
+    // would receive from uniformly emitting soil. Reflection and absorption may
+    // differ.
     const Mesh mesh = load_reference_mesh("maize1");
     double top = 0;
     for (const glm::dvec3& v : mesh.vertices) top = std::max(top, v.z);
@@ -155,8 +156,8 @@ TEST(StandardError, IsTheSpreadOfATotalALeafRankAndAnHour) {
         const double spread = estimate(means).standard_error * std::sqrt(runs);
         const double ratio = spread / std::sqrt(variance);
         RecordProperty(name, std::to_string(ratio));
-        // Spread and error are known to 1 / sqrt(2 * 399) and a third of it:
-        // 3.8 % together.
+        // The relative error of the spread is 1 / sqrt(2 * 399) and that of the
+        // mean standard error a third of this, 3.8 % together.
         EXPECT_NEAR(ratio, 1, 4 * .038) << name;
     }
 }

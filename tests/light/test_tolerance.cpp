@@ -13,8 +13,8 @@
 namespace ideotype {
 namespace {
 
-//! A level leaf over a part of each square metre of black soil, under a
-//! slanting beam and a sky.
+//! A level leaf over a part of each square metre of black soil, under an
+//! inclined beam and a sky.
 class LitLeaf : public ::testing::Test {
   protected:
     static Mesh leaf(double side) {
@@ -35,7 +35,7 @@ class LitLeaf : public ::testing::Test {
                                      {seed, 0, 0});
     }
 
-    //! The errors of 200 seeds, as a part of the light.
+    //! Relative errors of the light, over 200 seeds.
     struct Errors {
         double spread, reported, largest;
     };
@@ -73,7 +73,7 @@ TEST_F(LitLeaf, IsMetWithAsManyPathsAsThatTakes) {
     const Simulation rough = found(1e-2), fine = found(1e-3);
     EXPECT_LT(2 * rough.paths, fine.paths);
     EXPECT_FALSE(fine.is_capped);
-    // 16 randomisations know their error to a fifth.
+    // The standard error from 16 randomisations is accurate to about 20 %.
     EXPECT_LE(leaves(rough).standard_error, 1.6e-2 * leaves(rough).mean);
     EXPECT_LE(leaves(fine).standard_error, 1.6e-3 * leaves(fine).mean);
     EXPECT_NEAR(leaves(fine).mean, 490, 4 * leaves(fine).standard_error);
@@ -97,7 +97,8 @@ TEST_F(LitLeaf, SaysWhenTheMostPathsAreTooFew) {
     EXPECT_GT(leaves(capped).standard_error, 1e-6 * leaves(capped).mean);
 }
 
-//! Stopping at the first small error would report errors that are too small.
+//! Stopping as soon as the estimated error is small would select errors that
+//! are too small.
 TEST_F(LitLeaf, ReportsTheErrorsThatItMakes) {
     double made = 0, reported = 0;
     constexpr int runs = 400;
@@ -107,12 +108,12 @@ TEST_F(LitLeaf, ReportsTheErrorsThatItMakes) {
         made += (x.mean - 490) * (x.mean - 490);
         reported += x.standard_error * x.standard_error;
     }
-    // The root mean square of 400 errors is known to 3.5 %.
+    // The root mean square of 400 errors is accurate to 3.5 %.
     EXPECT_NEAR(std::sqrt(made / reported), 1, .12);
 }
 
 TEST_F(LitLeaf, DoesNotTakeALeafThatNoPathMeetsForCertain) {
-    // A square of 0.02 mm, one in 2,500 million.
+    // The side of the leaf is 0.02 mm: 1 / 2,500 million of the ground.
     const Simulation rare = found(1e-2, 1, 2e-5);
     EXPECT_EQ(rare.paths, most_paths);
     EXPECT_TRUE(rare.is_capped);
@@ -121,22 +122,22 @@ TEST_F(LitLeaf, DoesNotTakeALeafThatNoPathMeetsForCertain) {
                 1000. / (16. * most_paths), 1e-3);
 }
 
-//! Trials that met such a leaf by chance, or no light that soil had scattered
-//! to it, took far too few paths.
+//! A trial that hits such a leaf by chance, or that finds no light scattered to
+//! it by the soil, must not lead to far too few paths.
 TEST_F(LitLeaf, IsMetOftenEnoughWhereLeavesAreFew) {
     Optics optics;
     optics.materials = {{.05, .05}};
     optics.soil_albedo = .2;
     constexpr double tolerance = .05;
     const Errors found = errors(tolerance, .06, optics);
-    // The spread over 200 seeds is known to a twentieth.
+    // The spread over 200 seeds is accurate to 5 %.
     EXPECT_NEAR(found.reported / found.spread, 1, .15);
     EXPECT_LT(found.spread, 1.3 * tolerance);
     EXPECT_LT(found.largest, 2.5 * tolerance);
 }
 
-//! Such a leaf keeps little of a path, so one path more or less is little
-//! evidence.
+//! This leaf absorbs little of each path, so that one path more or less says
+//! little about the error.
 TEST_F(LitLeaf, ReportsTheErrorsOfALeafThatIsNearlyWhite) {
     Optics optics;
     optics.materials = {{.499, .499}};
@@ -157,8 +158,9 @@ TEST_F(LitLeaf, IsCertainWhereItCannotAbsorb) {
     EXPECT_EQ(absorbed_by_leaves(found.tallies.front()).standard_error, 0);
 }
 
-//! Rows of maize, as campaigns have them: neither too few paths nor, as when
-//! paths were doubled until the error was met, twice as many.
+//! Rows of maize as in campaigns. The number of paths is neither too small nor
+//! twice as large as necessary, as it was when paths were doubled until the
+//! error was met.
 TEST(Tolerance, IsWhatTheErrorIsExpectedToBe) {
     const Mesh mesh = load_reference_mesh("maize1");
     const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
@@ -182,7 +184,7 @@ TEST(Tolerance, IsWhatTheErrorIsExpectedToBe) {
                      relative.end());
     EXPECT_GT(relative[runs / 2], .88);
     EXPECT_LT(relative[runs / 2], 1.02);
-    // Known to 4 %; a few runs had too short a trial.
+    // The error is accurate to 4 %; in a few runs the trial was too short.
     EXPECT_LT(std::sqrt(made), 1.15 * tolerance);
 }
 

@@ -13,14 +13,14 @@
 namespace ideotype {
 namespace {
 
-//! Where photons end, as parts of all of them.
+//! The destinations of photons, as shares of all photons.
 struct Ends {
     double leaf = 0, other_leaf = 0, soil = 0, sky = 0;
 };
 
-//! Follows photons one by one, with no more than a loop over all triangles and
-//! their images in neighbouring cells, and lets each end whole in one place: a
-//! slow reference of simulate(), with random numbers of another kind.
+//! Follows single photons by a loop over all triangles and their images in
+//! neighbouring cells; each photon ends entirely in one place. A slow reference
+//! for simulate(), with random numbers of another kind.
 class PlainTracer {
   public:
     PlainTracer(const Mesh& mesh, const Optics& optics, double period)
@@ -86,7 +86,7 @@ class PlainTracer {
         }
     }
 
-    //! Returns the nearest face that a ray meets in this cell.
+    //! Returns the nearest face that a ray hits in this cell.
     Met meet(const glm::dvec3& at, const glm::dvec3& direction) const {
         Met nearest;
         for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
@@ -111,8 +111,8 @@ class PlainTracer {
         return nearest;
     }
 
-    //! Returns the distance along a ray to the triangle with the edges b and c
-    //! and its first corner at the origin.
+    //! Returns the distance along a ray to a triangle, given by its edges b and
+    //! c from a first corner at the origin.
     static double distance_to(const glm::dvec3& from,
                               const glm::dvec3& direction, const glm::dvec3& b,
                               const glm::dvec3& c) {
@@ -129,7 +129,7 @@ class PlainTracer {
         return u >= 0 && v >= 0 && u + v <= 1 ? distance : never;
     }
 
-    //! Returns the distance along a ray to the edge of the cell.
+    //! Returns the distance along a ray to the side of the cell.
     double to_edge(double at, double direction) const {
         if (direction == 0) return std::numeric_limits<double>::infinity();
         return ((direction > 0 ? period_ : 0) - at) / direction + 1e-12;
@@ -141,8 +141,9 @@ class PlainTracer {
         return at;
     }
 
-    //! Returns a direction with the cosine from a normal as density: that to a
-    //! point of the unit sphere on it.
+    //! Returns a direction with a density proportional to the cosine to the
+    //! normal: towards a random point of the unit sphere around the tip of the
+    //! normal.
     glm::dvec3 lambertian(const glm::dvec3& normal) {
         for (;;) {
             const glm::dvec3 in_cube{2 * uniform_(random_) - 1,
@@ -163,7 +164,7 @@ class PlainTracer {
     Ends ends_;
 };
 
-//! Leaves that lean, overhang the cell and shade each other.
+//! Makes inclined leaves that extend beyond the cell and shade each other.
 Mesh leaning_leaves() {
     Mesh mesh;
     mesh.groups = {{"leaf01", {0, 0, 1}}, {"leaf02", {0, 0, 2}, 1}};

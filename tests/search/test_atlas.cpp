@@ -26,12 +26,12 @@ SearchSpace space() {
             {0.1, 0.1, 0.1}};
 }
 
-//! Returns the noise-free value of a plant: c is best at 0.7.
+//! Returns the noise-free value of a plant; the optimum of the gene c is 0.7.
 double value(const Genome& genome) {
     return 1 - std::pow(genome[2] - 0.7, 2);
 }
 
-//! Evaluates plants; their features are the first two genes.
+//! Evaluates plants; the first two genes are their features.
 Population evaluate(const std::vector<Candidate>& candidates,
                     std::uint32_t generation, double noise) {
     Population population;
@@ -76,7 +76,8 @@ TEST(Atlas, BestPlantOfEachCellIsFound) {
 }
 
 TEST(Atlas, LuckyEvaluationsDoNotLead) {
-    // A lucky evaluation exceeds the best plant by up to 0.5.
+    // By chance a noisy evaluation may exceed the best possible value by up to
+    // 0.5.
     double loss = 0;
     const std::vector<Candidate> leaders = find_leaders(200, 1);
     for (const Candidate& leader : leaders) loss += 1 - value(leader.genome);
@@ -87,7 +88,8 @@ TEST(Atlas, LuckyEvaluationsDoNotLead) {
 TEST(Atlas, ChallengersAndLeadersAreEvaluatedTogether) {
     const auto optimizer = make_atlas(settings(), space(), 7);
     optimizer->tell(evaluate(optimizer->ask(), 0, 0));
-    // The second generation repeats the cells of the first with better plants.
+    // The second generation fills the same cells as the first, with better
+    // plants.
     Population better = evaluate(optimizer->ask(), 1, 0);
     for (Individual& individual : better)
         individual.objectives.front().mean += 1;

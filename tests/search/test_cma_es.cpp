@@ -29,7 +29,7 @@ Population evaluate(const std::vector<Candidate>& candidates,
     return population;
 }
 
-//! Counts the evaluations that a search needs to reduce f to a target.
+//! Counts the evaluations until a search reduces f below a target.
 std::size_t count_evaluations(const Function& f, std::size_t dimension,
                               double target, std::uint64_t seed,
                               OptimizerKind kind = OptimizerKind::cma_es) {
@@ -84,9 +84,9 @@ double rastrigin(const Genome& x) {
     return sum;
 }
 
-// Bounds: the evaluations that pycma 4.4 needs (median of 7 seeds, with equal
-// start, step and target, without bounds) plus half for luck;
-// tests/search/published_cma.py prints them.
+// Bounds: 1.5 times the evaluations of pycma 4.4 (median of 7 seeds with equal
+// start, step and target, without bounds), which tests/search/published_cma.py
+// prints.
 TEST(CmaEs, StandardFunctionsAreSolvedWithinPublishedEvaluations) {
     EXPECT_LT(count_evaluations(sphere, 10, 1e-8, 1), 1.5 * 1490);
     EXPECT_LT(count_evaluations(ellipsoid, 10, 1e-8, 1), 1.5 * 4330);
@@ -155,14 +155,15 @@ TEST(CmaEs, SearchStartsAroundTheBaseline) {
         for (const Candidate& candidate : candidates)
             values.push_back(candidate.genome[i]);
         std::ranges::sort(values);
-        // Numbers beyond a bound turn back, which leaves quartiles in place.
-        // The standard deviation is a fifth of the range of 10.
+        // Values beyond a bound are reflected, which does not change the
+        // quartiles. The standard deviation is a fifth of the range of 10.
         EXPECT_NEAR(values[2000], baseline[i], 0.15);
         EXPECT_NEAR(values[3000] - values[1000], 2 * 0.6745 * 2, 0.2);
     }
 }
 
-// The optimum is at the seam, 90 deg from the start on either side.
+// The optimum is at the seam, at a distance of 90 deg from the start in both
+// directions.
 TEST(CmaEs, MeanMovesSmoothlyAcrossTheSeamOfACircle) {
     GeneSpace circle(3, {"azimuth", "deg", 0, 360, true, true});
     SearchSettings settings = small();
@@ -191,7 +192,8 @@ TEST(CmaEs, FeasiblePlantsRankFirst) {
         make_cma_es(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     for (int g = 0; g < 150; ++g) {
         Population rows = evaluate(search->ask(), sphere);
-        // The four genes have to sum to at least 2: then each is 0.5.
+        // The sum of the four genes must be at least 2, so that each is 0.5 at
+        // the optimum.
         for (Individual& row : rows) {
             double sum = 0;
             for (const double x : row.candidate.genome) sum += x;
@@ -220,7 +222,7 @@ TEST(CmaEs, SearchSurvivesFailedGenerations) {
     }
 }
 
-//! Lists the sizes of generations, each once until the size changes.
+//! Lists the sizes of successive generations until a size occurs again.
 std::vector<std::size_t> list_sizes(GenerationalOptimizer& search,
                                     int generations, const Function& f) {
     std::vector<std::size_t> sizes;
@@ -303,7 +305,7 @@ TEST(Streams, StreamsWaitOnlyForTheirOwnGenerations) {
         const Candidate candidate = whole->propose(generation, slot);
         rows.push_back(evaluate({candidate}, sphere)[0]);
         whole->learn(rows.back());
-        // The rows that the optimizer needs suffice.
+        // The optimizer has learnt only the rows that it needs.
         const std::size_t known = generation < 3 ? 0 : 8 * (generation - 2);
         if (slot == 0 && generation >= 3)
             for (std::size_t i = known - 8; i < known; ++i)

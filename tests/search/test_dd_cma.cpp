@@ -19,7 +19,7 @@ MatrixXd read_matrix(std::istream& file, Eigen::Index rows,
     return read;
 }
 
-// Expected: tests/search/published_dd_cma.py, which wrote the file.
+// Expected values: written by tests/search/published_dd_cma.py.
 TEST(DdCma, UpdatesAgreeWithAPublishedImplementation) {
     std::ifstream file(std::string(IDEOTYPE_TEST_DATA) + "/dd_cma.txt");
     int cases = 0;

@@ -38,8 +38,8 @@ std::vector<Candidate> list_candidates(const Population& population) {
     return candidates;
 }
 
-//! Returns the proposals of a new optimizer for a generation, when all earlier
-//! generations were equal to `parents`.
+//! Returns the proposals of a new optimizer for a generation after earlier
+//! generations that all equal `parents`.
 std::vector<Candidate> propose_generation(const SearchSettings& settings,
                                           std::uint64_t seed,
                                           std::uint32_t generation,
@@ -54,7 +54,7 @@ Population first_generation() {
     return evaluate(propose_generation(small(), 7, 0, {}));
 }
 
-//! Returns the evaluated generations of one search.
+//! Returns the evaluated generations of a search.
 std::vector<Population> run_search(std::size_t generations) {
     const auto optimizer =
         make_genetic_algorithm(small(), SearchSpace{genes, baseline}, 7);
@@ -94,8 +94,9 @@ TEST(GeneticAlgorithm, ProposalsAreAPureFunctionOfSeedGenerationAndParents) {
     EXPECT_NE(genomes(7, 1), genomes(7, 2));
 }
 
-// Contract C3: another order of random numbers or operations would make other
-// children. Replace the values only with a change that intends this.
+// Contract C3: any change in the order of random numbers or of operations would
+// change the children. Update these values only with an intended change of this
+// order.
 TEST(GeneticAlgorithm, ChildrenOfASeedStayTheSame) {
     struct Child {
         std::array<std::int64_t, 2> parents;
@@ -187,8 +188,8 @@ TEST(GeneticAlgorithm, ParentsStayUntilChildrenDominateThem) {
     settings.population = 20;
     const auto search = make_genetic_algorithm(
         settings, {genes, baseline, {Sense::maximise, Sense::minimise}}, 7);
-    // No plant dominates another one of its generation; all dominate plants of
-    // a lower level.
+    // Plants of equal level do not dominate each other, and dominate all plants
+    // of lower levels.
     const auto tell = [&](double level) {
         Population rows;
         for (const Candidate& candidate : search->ask()) {
@@ -240,7 +241,7 @@ TEST(GeneticAlgorithm, AzimuthCrossesNorthAlongTheShorterArc) {
     EXPECT_DOUBLE_EQ(wrapped(genes[1], -1), 359);
     EXPECT_LT(wrapped(genes[1], -1e-18), 360);
 
-    // Parents on both sides of north have children near north, never near
+    // Parents on both sides of north must have children near north, not near
     // south.
     Population parents = first_generation();
     RandomStream stream(1, Purpose::selection);
@@ -266,7 +267,8 @@ TEST(GeneticAlgorithm, MutationMovesGenesAtTheGivenRate) {
             changed +=
                 children[i].genome[g] != parent.candidate.genome[g] ? 1 : 0;
     }
-    // On average one of two free genes per child mutates: binomial(4000, 1/2).
+    // One of the two free genes of each child mutates on average:
+    // binomial(4000, 1/2).
     EXPECT_NEAR(changed, 2000, 5 * std::sqrt(1000.));
 }
 

@@ -12,11 +12,12 @@ namespace {
 const std::vector<Sense> both{Sense::maximise, Sense::minimise};
 
 TEST(Hypervolume, VolumeIsTheAreaBetweenFrontAndReference) {
-    // The boxes are 3 x 1 and 1 x 3 and share an area of 1.
+    // The dominated rectangles of 3 x 1 and 1 x 3 overlap in an area of 1.
     const std::vector<std::vector<double>> points{{3, 2}, {1, 0}};
     EXPECT_DOUBLE_EQ(hypervolume(points, {0, 3}, both), 5);
     EXPECT_DOUBLE_EQ(hypervolume({{3, 2}}, {0, 3}, both), 3);
-    // One point is dominated; one equals the reference in one objective.
+    // One point is dominated, and another equals the reference in one
+    // objective.
     EXPECT_DOUBLE_EQ(
         hypervolume({{3, 2}, {1, 0}, {1, 1}, {9, 3}}, {0, 3}, both), 5);
     EXPECT_EQ(hypervolume({{-1, 0}}, {0, 3}, both), 0);
@@ -25,11 +26,11 @@ TEST(Hypervolume, VolumeIsTheAreaBetweenFrontAndReference) {
 
 constexpr int randomisations = 8;
 
-//! Makes eleven plants on a front, with noise that is half shared, as under
-//! common random numbers.
+//! Makes eleven plants on a Pareto front. Half of their noise is common, as
+//! with common random numbers.
 Population make_noisy_front(std::uint32_t draw) {
     Population population;
-    // The noise has a standard deviation of 1.
+    // The standard deviation of the noise is 1.
     const auto noise = [&](std::uint32_t slot) {
         RandomStream stream(1, Purpose::mutation, draw, slot);
         std::vector<double> values;
@@ -92,7 +93,7 @@ TEST(Hypervolume, DefaultReferenceIsTheWorstOfTheFirstGeneration) {
     EXPECT_EQ(summarized(first).hypervolume,
               hypervolume(first, worst, both).mean);
     const GenerationSummary summary = summarized(second);
-    // The summary has the hypervolume of all rows up to here.
+    // The summary contains the hypervolume of all rows so far.
     Population combined = first;
     combined.insert(combined.end(), second.begin(), second.end());
     EXPECT_DOUBLE_EQ(summary.hypervolume,

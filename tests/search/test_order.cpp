@@ -9,8 +9,8 @@ namespace {
 
 class Order : public ::testing::TestWithParam<Sense> {};
 
-//! Makes individuals, worst first: a failure, violations with any objective,
-//! and objectives of both signs.
+//! Makes individuals, worst first: a failure, constraint violations with any
+//! objective, then objectives of both signs.
 Population make_worst_first(Sense sense) {
     const double sign = sense == Sense::maximise ? 1 : -1;
     return {make_failed_individual({0}, sign * 99),

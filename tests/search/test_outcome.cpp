@@ -62,7 +62,7 @@ TEST(Outcome, SharedRandomNumbersCancelInADifference) {
     other.randomisations = {10.2, 10, 9.8};
     EXPECT_NEAR(difference(make_good(), other).standard_error,
                 .4 / std::sqrt(3), 1e-12);
-    // Unknown randomisations are taken as independent.
+    // If randomisations are unknown, errors are treated as independent.
     other.randomisations.front() = std::nan("");
     EXPECT_NEAR(difference(make_good(), other).standard_error,
                 .1 * std::sqrt(2), 1e-12);

@@ -10,7 +10,7 @@
 namespace ideotype {
 namespace {
 
-//! Three angles, and a fourth number that has no effect.
+//! A search space of three angles, and a fourth gene without effect.
 SearchSpace angles() {
     const double pi = std::numbers::pi;
     SearchSpace space;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The expected value of the best of many noisy values, against known values.
+// Tests the expected value of the best of many noisy values against known true
+// values.
 #include <cmath>
 #include <random>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::size_t draws = 8;
 
-//! A generation with known true values, and partly shared noise.
+//! A generation with known true values and noise that is partly common.
 struct Made {
     Population population;
     std::vector<double> values;

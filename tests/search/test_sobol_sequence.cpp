@@ -30,8 +30,7 @@ TEST(SobolSequence, IntegrationIsMoreAccurateThanRandomNumbers) {
     const Estimate integral = integrate(
         [](double x, double y) { return std::sin(3 * x) * std::exp(y); });
     const double exact = (1 - std::cos(3)) / 3 * (std::exp(1) - 1);
-    // Random numbers would have a standard error of 0.005 with this many
-    // points.
+    // The standard error of as many random points would be 0.005.
     EXPECT_LT(integral.standard_error, 1e-4);
     EXPECT_NEAR(integral.mean, exact, 4 * integral.standard_error);
 }

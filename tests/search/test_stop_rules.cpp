@@ -8,8 +8,8 @@ namespace {
 
 constexpr Sense maximise = Sense::maximise, minimise = Sense::minimise;
 
-//! Makes the progress after generations with these means, which are also the
-//! best values.
+//! Makes the progress of generations with the given means; best values equal
+//! the means.
 Progress make_progress(const std::vector<double>& means) {
     Progress progress;
     for (const double mean : means)
@@ -40,7 +40,7 @@ TEST(StopRules, GenerationsEndTheEvolution) {
               "generations");
 }
 
-//! Makes values on a line, with scatter to both sides.
+//! Makes values around a straight line, with alternating scatter.
 std::vector<double> make_line(double slope, int count) {
     std::vector<double> means;
     for (int i = 0; i < count; ++i)
@@ -59,7 +59,8 @@ TEST(StopRules, NoGainIsASlopeBelowTwiceItsError) {
               "no_gain");
     EXPECT_EQ(finished(rules, make_progress(make_line(-1, 9)), minimise),
               std::nullopt);
-    // The scatter alone has a slope of -0.075, standard error 0.0996.
+    // The regression slope of the scatter alone is -0.075 with a standard error
+    // of 0.0996.
     EXPECT_EQ(finished(rules, make_progress(make_line(0.2, 9)), maximise),
               "no_gain");
     EXPECT_EQ(finished(rules, make_progress(make_line(0.4, 9)), maximise),

@@ -23,7 +23,8 @@ TEST(Summary, StatisticsExcludeFailures) {
     EXPECT_DOUBLE_EQ(s.spread, 5);
     EXPECT_EQ(s.failures, 1u);
     EXPECT_EQ(s.evaluations, 3u);
-    // Values are 1 of 10 along the length, and 1 of 360 around north.
+    // The standard deviations are 1 of a range of 10 for the length, and 1 of
+    // 360 for the azimuth near north.
     EXPECT_NEAR(s.diversity, (0.1 + 1 / 360.) / 2, 1e-12);
 }
 

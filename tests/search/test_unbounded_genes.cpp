@@ -56,7 +56,7 @@ TEST(UnboundedGenes, GeneIsAtABoundWithinATwentiethOfItsRange) {
     EXPECT_EQ(find_bound(length, 0.441), std::nullopt);
     EXPECT_EQ(find_bound(length, 1.159), std::nullopt);
     EXPECT_EQ(find_bound(length, 1.161), Bound::upper);
-    // Genes that are circular, not free, and without a range.
+    // The genes are circular, fixed, and without a range.
     for (const std::size_t i : {1U, 2U, 3U})
         EXPECT_EQ(find_bound(genes[i], genes[i].lower), std::nullopt);
 }

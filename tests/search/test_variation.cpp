@@ -19,7 +19,7 @@ const Gene azimuth{"azimuth", "deg", 0, 360, true, true};
 
 using Distribution = std::function<double(double)>;
 
-//! Pearson's statistic of values in bins of equal probability.
+//! Pearson's statistic is computed over bins of equal probability.
 constexpr std::size_t bins = 40;
 //! The 99.9th percentile of chi-square with 39 degrees of freedom.
 constexpr double critical = 72.05;
@@ -41,13 +41,13 @@ double chi_square(const std::vector<double>& values,
     return sum;
 }
 
-//! Truncates a distribution at an upper bound, normalised to 1.
+//! Truncates a distribution at an upper bound and normalises it.
 Distribution truncate(double bound, const Distribution& distribution) {
     return [=](double x) { return distribution(x) / distribution(bound); };
 }
 
 //! Wraps a distribution around a circle, from -period / 2 to period / 2: values
-//! that differ by whole turns coincide.
+//! that differ by whole turns are the same.
 Distribution wrap(double period, int turns, const Distribution& distribution) {
     double before = 0;
     for (int turn = -turns; turn <= turns; ++turn)
@@ -99,8 +99,8 @@ std::vector<Candidate> make_children(const Gene& gene, const GaSettings& ga,
 }
 
 //! Distances of the two children of each crossed couple from the mean of their
-//! parents, relative to half of the distance between the parents; positive on
-//! the child's side.
+//! parents, relative to half the distance between the parents. A child on the
+//! side of its own parent has a positive distance.
 struct Spreads {
     std::vector<double> below, above;
 };
@@ -108,8 +108,8 @@ struct Spreads {
 //! Returns whether the two children of a couple swap the crossed gene.
 bool is_swapped(std::uint32_t slot) {
     RandomStream stream(7, Purpose::crossover, 1, slot);
-    // The first three random numbers decide whether the couple and the gene are
-    // crossed, and the spread factor.
+    // The first three random numbers determine whether the couple is crossed,
+    // whether the gene is crossed, and the spread factor.
     for (int i = 0; i < 3; ++i) stream.uniform();
     return stream.uniform() < 0.5;
 }
@@ -128,7 +128,7 @@ Spreads cross_parents(const Gene& gene, double index, double low, double high) {
             (pool[i].parents[0] == 1) != is_swapped(static_cast<unsigned>(i));
         const double first = pool[is_turned ? i + 1 : i].genome[0];
         const double second = pool[is_turned ? i : i + 1].genome[0];
-        // The gene is not crossed, and therefore not swapped.
+        // A gene that is not crossed is not swapped either.
         if (std::minmax(first, second) == std::minmax(low, high)) continue;
         spreads.below.push_back(difference(gene, first, low + half) / half);
         spreads.above.push_back(difference(gene, low + half, second) / half);
@@ -137,7 +137,8 @@ Spreads cross_parents(const Gene& gene, double index, double low, double high) {
 }
 
 TEST(Crossover, HalfOfTheGenesOfDifferentParentsAreCrossed) {
-    // Half of 100000 couples have unlike parents: binomial(100000, 1/4).
+    // Half of the 100000 couples consist of different parents: binomial(100000,
+    // 1/4).
     const auto n = cross_parents(length, 15, 0.7, 0.8).above.size();
     EXPECT_NEAR(static_cast<double>(n), 25000, 4 * std::sqrt(1e5 * 3 / 16));
 }
@@ -153,7 +154,7 @@ TEST(Crossover, CrossedGenesGoToEitherChild) {
         const bool is_near_high = child.genome[0] > 0.75;
         ++(is_near_high == (child.parents[0] == 1) ? kept : swapped);
     }
-    // Half of the genes are crossed, and half of the crossed ones swapped.
+    // Half of the genes are crossed, and half of these are swapped.
     EXPECT_NEAR(swapped / static_cast<double>(kept + swapped), 0.25, 0.01);
 }
 
@@ -162,14 +163,15 @@ TEST(Crossover, SpreadFollowsThePublishedDensityFarFromBounds) {
         const Spreads spreads = cross_parents(length, index, 0.749, 0.751);
         EXPECT_LT(chi_square(spreads.below, spread(index)), critical) << index;
         EXPECT_LT(chi_square(spreads.above, spread(index)), critical) << index;
-        // The test rejects another index.
+        // The test must reject a different index.
         EXPECT_GT(chi_square(spreads.above, spread(index + 1)), critical);
     }
 }
 
 TEST(Crossover, SpreadFollowsThePublishedDensityAtABound) {
     constexpr double index = 2;
-    // The mean is 0.11 above the lower bound; half of the distance is 0.09.
+    // The mean of the parents is 0.11 above the lower bound; half of their
+    // distance is 0.09.
     const Spreads low = cross_parents(length, index, 0.42, 0.60);
     EXPECT_LT(chi_square(low.below, truncate(0.11 / 0.09, spread(index))),
               critical);
@@ -177,8 +179,8 @@ TEST(Crossover, SpreadFollowsThePublishedDensityAtABound) {
               critical);
     EXPECT_GT(chi_square(low.below, spread(index)), critical);
 
-    // A parent stands at the bound: children do not pass the bound, nor gather
-    // there.
+    // One parent is at the bound: children must not exceed it or accumulate at
+    // it.
     const Spreads at = cross_parents(length, index, 1.0, 1.1);
     EXPECT_LT(chi_square(at.above, truncate(1, spread(index))), critical);
     EXPECT_LT(chi_square(at.below, truncate(0.65 / 0.05, spread(index))),
@@ -186,7 +188,7 @@ TEST(Crossover, SpreadFollowsThePublishedDensityAtABound) {
 }
 
 TEST(Crossover, SpreadFollowsThePublishedDensityOnTheCircle) {
-    // The mean of the parents is 5 deg; with index 0 many children go around
+    // The mean of the parents is 5 deg. With index 0 many children wrap around
     // more than once.
     for (const double index : {0.0, 2.0, 15.0}) {
         const Spreads spreads = cross_parents(azimuth, index, 350, 20);
@@ -220,8 +222,8 @@ std::vector<double> mutate_parent(const Gene& gene, double index,
     return steps;
 }
 
-//! Returns the distribution of steps that go down and up equally often, up to a
-//! length.
+//! Returns the distribution of steps that are equally often negative and
+//! positive, up to a length in each direction.
 Distribution either_way(double index, double down, double up) {
     return [=](double d) {
         return d < 0 ? (1 - step(index)(-d) / step(index)(down)) / 2
@@ -256,8 +258,8 @@ TEST(Mutation, HalfOfTheStepsLeaveABound) {
 }
 
 TEST(Mutation, StepsFollowThePublishedDensityOnTheCircle) {
-    // The parent is one degree from north; with index 0 children are uniform on
-    // the circle.
+    // The parent is 1 deg from north. With index 0 children are uniformly
+    // distributed over the circle.
     for (const double index : {0.0, 2.0, 20.0}) {
         const auto steps = mutate_parent(azimuth, index, 1);
         const Distribution line = either_way(index, 1, 1);

@@ -18,8 +18,8 @@
 
 namespace ideotype {
 
-//! Makes a header with 3 genes, 1 objective, a quantity along leaves; 4 slots,
-//! 5 generations, 3 finalists.
+//! Makes a header with 3 genes, 1 objective, a quantity along leaves, 4 slots,
+//! 5 generations and 3 finalists.
 inline HistoryHeader sample_header() {
     HistoryHeader header;
     header.text = {{"case", "ames-all-1"}, {"isa", "avx2"}, {"empty", ""}};
@@ -107,9 +107,9 @@ inline void complete(History& history, std::uint32_t generation) {
     history.commit(generation, {.best_slot = 3, .best = generation + 0.5});
 }
 
-//! Runs an action in another process and returns its exit code, or 99 if the
-//! action threw. HDF5 cannot have a file open for reading and for writing in
-//! one process.
+//! Runs an action in another process and returns its exit code, or 99 after an
+//! exception. A second process is necessary because HDF5 cannot open a file for
+//! reading and for writing in the same process.
 template <class Action>
 int run_in_other_process(Action action) {
     const pid_t child = fork();
@@ -125,7 +125,7 @@ int run_in_other_process(Action action) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-//! A new history with the sample header in a temporary folder.
+//! A test with a new history that has the sample header, in a temporary folder.
 class HistoryTest : public testing::Test {
   protected:
     //! Closes the history and opens it to continue.
@@ -142,7 +142,7 @@ class HistoryTest : public testing::Test {
         std::make_unique<History>(History::create(path, sample_header()));
 };
 
-//! Returns the message with which an action is refused.
+//! Returns the error message of an action that must be refused.
 inline std::string catch_refusal(const std::function<void()>& action) {
     try {
         action();

@@ -19,7 +19,7 @@
 
 namespace {
 
-// Error number of locks on a file system without locks; 0 if locks work.
+// The error number that imitates a file system without locks; 0 if locks work.
 int lock_failure = 0;
 
 }  // namespace
@@ -196,7 +196,7 @@ TEST(FileLock, ReadOnlyFolderIsNamedWithARemedy) {
     History::create(path, sample_header());
     chmod((folder / "").c_str(), 0555);
     const int code = run_in_other_process([&] {
-        // No folder is read-only to root.
+        // Root can write to read-only folders, so that the test gives up root.
         if (geteuid() == 0 && setuid(65534) != 0) return 1;
         if (History::read(path).next_generation() != 0) return 2;
         for (const auto& open : std::vector<std::function<void()>>{

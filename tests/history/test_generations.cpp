@@ -93,7 +93,7 @@ TEST_F(HistoryTest, ChangedProposalIsRefusedWithItsSlot) {
         << message;
 
     candidates = sample_candidates(0);
-    candidates[3].genome[2] = 0.0;  // the value was -0.0
+    candidates[3].genome[2] = 0.0;  // -0.0 has become 0.0
     message = catch_refusal([&] { propose(*history, 0, candidates); });
     EXPECT_NE(message.find("slot 3"), std::string::npos) << message;
 
@@ -125,7 +125,7 @@ TEST_F(HistoryTest, GenerationsMayDifferInSize) {
     EXPECT_EQ(history->generation(1)[5].candidate.parents,
               sample_candidate(1, 5).parents);
     EXPECT_EQ(history->summaries()[1].best_slot, 5U);
-    // This history has room for 20 rows.
+    // The capacity of this history is 20 rows.
     EXPECT_THROW(propose(*history, 3, sample_candidates(3, 11)), Error);
     commit_generation(3, 10);
 }

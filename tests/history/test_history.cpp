@@ -98,8 +98,8 @@ TEST_F(HistoryTest, FailedRowKeepsItsReasonAndNoNumbers) {
     propose(*history, 0, sample_candidates(0));
     Outcome outcome = sample_outcome(0, 1);
     outcome.status = Status::failed;
-    // The message has 159 bytes and then a character of two bytes, which does
-    // not fit in the field.
+    // The message consists of 159 bytes and a character of two bytes, which no
+    // longer fits in the field.
     outcome.message = std::string(159, 'x') + "\u00e9";
     history->record(0, 1, outcome, 3);
     reopen();
@@ -209,7 +209,7 @@ TEST_F(HistoryTest, JumpingClockDoesNoDamage) {
          {"2025-08-07T12:00:00Z", "1970-01-01T00:00:00Z",
           "2125-08-07T12:00:00Z", "2025-08-07T12:00:01Z"}) {
         history->begin_session({started, "node", "run", 1});
-        // A wall time that runs backwards is accepted too.
+        // A decreasing wall time is accepted too.
         history->set_wall_time(100.0 - g);
         complete(*history, g++);
         reopen();
@@ -220,8 +220,8 @@ TEST_F(HistoryTest, JumpingClockDoesNoDamage) {
 }
 
 TEST_F(HistoryTest, FileSizeNeverChanges) {
-    // If the file grew, HDF5 would have to change its own structures, and a
-    // kill could leave them unreadable.
+    // The file must not grow: HDF5 would have to modify its own structures, and
+    // a kill at that moment could make them unreadable.
     const auto size = std::filesystem::file_size(path);
     history->begin_session({"2025-08-07T12:00:00Z", "node1", "run", 4});
     for (std::uint32_t g = 0; g < 5; ++g) complete(*history, g);

@@ -23,7 +23,8 @@ HistoryHeader long_header() {
     return header;
 }
 
-// Reports a durable row or, with slot -1, a committed generation.
+// A report from the writer: a durable row, or a committed generation if the
+// slot is -1.
 struct Report {
     std::uint32_t generation = 0;
     std::int32_t slot = -1;
@@ -71,7 +72,7 @@ Killed write_and_kill(const std::string& path,
         write_history(path, ends[1]);
     }
     close(ends[1]);
-    // Reading the pipe while the writer runs keeps the writer from waiting.
+    // The pipe is read continuously, so that the writer never waits.
     std::thread killer([&] {
         std::this_thread::sleep_for(delay);
         kill(writer, SIGKILL);
@@ -97,8 +98,8 @@ void expect_outcome(const Row& row, std::uint32_t g, std::uint32_t slot) {
     EXPECT_EQ(row.outcome.randomisations, outcome.randomisations);
 }
 
-// Expects that finished rows are right, and that only the last generation has
-// unfinished rows.
+// Expects that all finished rows are right, and that unfinished rows occur only
+// in the last generation.
 void expect_sound(const History& history) {
     for (std::uint32_t g = 0; g <= history.next_generation(); ++g) {
         if (g == generations) break;

@@ -10,7 +10,8 @@
 namespace ideotype {
 namespace {
 
-//! Called before each read of a file, including reads by HDF5.
+//! A function that is called before each read of a file, including reads by
+//! HDF5.
 std::function<void()> before_read;
 
 }  // namespace
@@ -27,9 +28,9 @@ extern "C" [[gnu::visibility("default")]] ssize_t pread(int file, void* bytes,
 namespace ideotype {
 namespace {
 
-// A writer in another process that proceeds step by step. The test's process is
-// the reader: a fork of a process with the open file would not read the file
-// but inherit HDF5's memory of it.
+// A writer in another process, which proceeds step by step. The process of the
+// test is the reader: a process forked while the file is open would inherit
+// HDF5's cache instead of reading the file.
 class Writer {
   public:
     using Step = std::function<void(History&)>;
@@ -132,7 +133,7 @@ TEST(Live, OpenReaderSeesLaterRows) {
 }
 
 TEST(Live, CaseMayFinishBetweenTwoReads) {
-    constexpr int stride = 5;  // keeps the test short
+    constexpr int stride = 5;  // a larger stride keeps the test short
     int reads = 0;
     for (int position = 0; position <= reads; position += stride) {
         const Folder folder;

@@ -29,8 +29,8 @@ Failure catch_failure(const std::function<void()>& action) {
     return {};
 }
 
-// Expects that opening for reading and for writing is refused with the file's
-// name and this reason.
+// Expects that opening the file for reading and for writing is refused, with
+// the file name and the given reason.
 void expect_refused(const std::string& path, const std::string& reason) {
     for (const auto open : {History::read, History::resume}) {
         const Failure failure = catch_failure([&] { open(path); });
@@ -270,7 +270,7 @@ TEST(Open, KilledFileIsReadAndResumed) {
               }),
               128 + SIGKILL);
     EXPECT_EQ(list_pending(History::read(path), 1).size(), 3U);
-    // A reader changes nothing: the file can be read again.
+    // Reading changes nothing, so that the file can be read again.
     EXPECT_EQ(History::read(path).next_generation(), 1U);
     {
         History history = History::resume(path);

@@ -13,8 +13,8 @@
 namespace ideotype {
 namespace {
 
-// Expects that opening the path fails and names what it is instead of a
-// history.
+// Expects that the path is refused, with a message that names what the file is
+// instead of a history.
 void expect_no_history(const std::string& path, const std::string& thing) {
     for (const auto& open : std::vector<std::function<void()>>{
              [&] { History::create(path, sample_header()); },

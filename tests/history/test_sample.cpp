@@ -89,7 +89,7 @@ std::string describe_type(hid_t type) {
     const int members = H5Tget_nmembers(type);
     for (int i = 0; i < members; ++i) {
         char* member = H5Tget_member_name(type, static_cast<unsigned>(i));
-        // The origin "sample" is newer than the sample.
+        // The origin "sample" was introduced after this history was written.
         if (member != std::string("sample")) name += std::string(" ") + member;
         H5free_memory(member);
     }
@@ -115,7 +115,7 @@ herr_t describe(hid_t file, const char* path, const H5O_info_t* info,
     return 0;
 }
 
-// Describes every object by its path, type, unit and shape.
+// Lists all objects of a file with path, type, unit and shape.
 std::set<std::string> describe_objects(const std::string& path) {
     std::set<std::string> objects;
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);

@@ -102,7 +102,7 @@ TEST(Space, SpaceIsReservedForACopyWithHoles) {
         History history = History::create(path, large_header());
         propose(history, 0, sample_candidates(0, 1000));
     }
-    // Only written parts are copied; the rest of the copy is a hole.
+    // Only the written parts are copied; the rest of the copy is a hole.
     constexpr std::uintmax_t written = 2'000'000;
     {
         std::ifstream source(path, std::ios::binary);

@@ -41,7 +41,8 @@ TEST(WriteFailure, FailureNamesTheFileAndKeepsRecordedRows) {
             if (!message.starts_with(path)) return 2;
             if (message.find("File too large") == std::string::npos) return 3;
         }
-        // After the failure the history stores nothing more and reports so.
+        // After a failed write the history stores nothing more, and reports
+        // this.
         try {
             history.message("still here?");
             return 4;
@@ -109,7 +110,7 @@ TEST(WriteFailure, ReplacedFileAcceptsNoRowsAndIsLeftUnchanged) {
     std::filesystem::copy_file(folder / "away.h5", path);
     EXPECT_NE(commit_and_catch(history), "");
     EXPECT_EQ(History::read(path).evaluated(), 0U);
-    // The history continues once the file is back in place.
+    // The history can be used again once the file is back in its place.
     std::filesystem::rename(folder / "away.h5", path);
     EXPECT_EQ(commit_and_catch(history), "");
     EXPECT_EQ(history.next_generation(), 1U);

@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! A test in which rank 0 commands and the other ranks serve.
+//! A test in which rank 0 gives commands and the other ranks serve.
 class Commanded : public OnAllRanks {
   protected:
     explicit Commanded(FakeEvaluator evaluator = FakeEvaluator())

@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Starts routines one after the other, and stores all messages.
+//! Starts routines one after the other and stores all messages.
 class FakeDirector : public Director {
   public:
     void add(Routine<bool> routine) { waiting_.push_back(std::move(routine)); }

@@ -20,7 +20,7 @@ inline OutcomeSchema fake_schema() {
     return schema;
 }
 
-//! A quick evaluator, a pure function of task and genome, that fails in some
+//! A fast evaluator, a pure function of task and genome, which fails in some
 //! slots.
 class FakeEvaluator : public Evaluator {
   public:
@@ -28,10 +28,11 @@ class FakeEvaluator : public Evaluator {
     static constexpr std::uint32_t oddly_throwing_slot = 1002;
     static constexpr std::uint32_t not_a_number_slot = 1003;
 
-    //! The slot in which the machine fails rather than the plant.
+    //! The slot in which the machine fails, not the plant.
     static constexpr std::uint32_t starved_slot = 1006;
 
-    //! Slots that take long: only at the first attempt, and at every attempt.
+    //! Slots with slow evaluations: only at the first attempt, or at every
+    //! attempt.
     static constexpr std::uint32_t slow_once_slot = 1004;
     static constexpr std::uint32_t slow_slot = 1005;
 

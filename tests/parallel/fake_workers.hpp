@@ -14,7 +14,7 @@
 
 namespace ideotype {
 
-//! A clock that advances only when a test or a fake worker naps.
+//! A clock that advances only during naps of a test or of a fake worker.
 class FakeClock : public RankClock {
   public:
     double now() const override { return now_; }
@@ -24,10 +24,10 @@ class FakeClock : public RankClock {
     mutable double now_ = 100;
 };
 
-//! Workers that answer after a time, chosen by a test, on a fake clock.
+//! Workers that answer after a time chosen by a test, on a fake clock.
 class FakeWorkers : public Workers {
   public:
-    //! The time that a worker takes for this work [s].
+    //! The time that a worker needs for this work [s].
     using Duration = std::function<double(int worker, const Work& work)>;
 
     FakeWorkers(int width, const FakeClock& clock, Duration duration)
@@ -50,7 +50,7 @@ class FakeWorkers : public Workers {
     }
 
     std::optional<Answer> wait(double seconds) override {
-        // A real clock advances between two readings.
+        // Like a real clock, this clock advances between two readings.
         const double latest = clock_.now() + std::max(seconds, 1e-6);
         int first = -1;
         double end = latest;
@@ -104,7 +104,7 @@ class WithFakeWorkers : public testing::Test {
     FakeDirector director_;
 };
 
-//! Tests that run with several numbers of workers.
+//! Tests that are repeated with several numbers of workers.
 class WithAnyWorkers : public WithFakeWorkers,
                        public testing::WithParamInterface<int> {};
 

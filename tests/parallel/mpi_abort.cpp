@@ -5,8 +5,7 @@
 
 #include "parallel/session.hpp"
 
-//! Ends one rank by an error while the other ranks would continue for a long
-//! time.
+//! Ends one rank by an error while the other ranks still run.
 int main() {
     const ideotype::Session session;
     if (session.rank() != 1) {

@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! Makes work of one generation; every fifth candidate is a finalist.
+//! Makes the work of one generation; every fifth candidate is a finalist.
 inline std::vector<Work> sample_work(std::uint32_t count,
                                      std::size_t genes = 40) {
     std::vector<Work> work;
@@ -24,7 +24,7 @@ inline std::vector<Work> sample_work(std::uint32_t count,
     return work;
 }
 
-//! Expects the outcome of a single evaluator, bit for bit.
+//! Expects that an outcome is bitwise equal to that of a single evaluator.
 inline void expect_same_outcome(const Work& work, const Outcome& outcome) {
     const Outcome expected = FakeEvaluator().evaluate(work.task, work.genome);
     EXPECT_EQ(outcome.status, Status::done) << outcome.message;

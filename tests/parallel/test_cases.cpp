@@ -30,8 +30,8 @@ class Cases : public WithAnyWorkers {
         give_orders(dispatcher);
     }
 
-    //! Evaluates one generation after the other, and stores the order of
-    //! outcomes.
+    //! Evaluates one generation after the other and stores the order in which
+    //! outcomes arrive.
     Routine<bool> evolve(Dispatcher& dispatcher, std::uint32_t case_index,
                          std::uint32_t generations, std::uint32_t population) {
         for (std::uint32_t g = 0; g < generations; ++g) {
@@ -70,7 +70,7 @@ TEST_P(Cases, AllCasesAreEvaluatedCompletely) {
     });
 }
 
-// A row becomes available only when the row three before it has arrived.
+// Each row becomes available only after the outcome of the third row before it.
 TEST_P(Cases, WorkMayDependOnOutcomes) {
     constexpr std::uint32_t rows = 40, cases = 4;
     std::vector<std::uint32_t> given(cases), answered(cases);
@@ -127,7 +127,7 @@ TEST_P(Cases, CasesStartOnlyWhenWorkersWouldBeIdle) {
             if (started_at_first == 0)
                 started_at_first = director_.started.size();
         };
-        // Each case keeps two workers busy.
+        // Each case occupies two workers.
         for (std::uint32_t c = 0; c < 9; ++c)
             director_.add(
                 make_routine(dispatcher, make_generation(c, 0, 2), record));

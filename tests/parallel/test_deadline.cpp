@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! Workers that do not answer in time; slow work takes 6 deadlines.
+//! Workers that exceed their deadline; slow work takes 6 deadlines.
 class Deadline : public WithFakeWorkers {
   protected:
     static constexpr std::uint32_t slow_once = 4, slow = 5;
@@ -23,7 +23,7 @@ class Deadline : public WithFakeWorkers {
         };
     }
 
-    //! Evaluates these slots, and stores the answers.
+    //! Evaluates the given slots and stores the answers.
     void run(Dispatcher& dispatcher, const std::vector<std::uint32_t>& slots) {
         answers_.clear();
         std::vector<Work> work;
@@ -96,7 +96,7 @@ TEST_F(Deadline, FirstAnswerCountsEvenIfLate) {
         return work.task.slot == slow ? 0.3 : 0.001;
     };
     Dispatcher dispatcher = make(2, impatient);
-    // The first attempt answers while the second is under way.
+    // The first attempt answers while the second is still running.
     run(dispatcher, {slow, 1, 2});
     ASSERT_EQ(answers_.size(), 3u);
     EXPECT_EQ(answers_.at(slow).work.task.attempt, 1u);
@@ -107,7 +107,8 @@ TEST_F(Deadline, FirstAnswerCountsEvenIfLate) {
 TEST_F(Deadline, RunEndsWithAnErrorWhenNoWorkerAnswers) {
     for (const int width : {1, 2, 3}) {
         director_.silences.clear();
-        // With no more attempts than workers, still no row fails.
+        // No row fails, even if the permitted attempts do not exceed the number
+        // of workers.
         Dispatcher dispatcher = make(width, {0.1, 1});
         try {
             run(dispatcher, {slow});
@@ -144,7 +145,8 @@ TEST_F(Deadline, DeadlineGrowsWithTheLongestEvaluation) {
     };
     Dispatcher dispatcher = make(2, impatient);
     run(dispatcher, {1, 2});
-    // The deadline is 20 times 60 ms, more than the 200 ms requested.
+    // The deadline is 20 times the usual 60 ms, since this is more than the
+    // requested 200 ms.
     run(dispatcher, {slow});
     EXPECT_TRUE(director_.silences.empty());
     EXPECT_EQ(answers_.at(slow).work.task.attempt, 1u);

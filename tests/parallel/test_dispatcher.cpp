@@ -55,7 +55,7 @@ TEST_P(DispatcherOfFakes, FailureOfTheMachineRecordsNoRow) {
             << error.what();
     }
     EXPECT_FALSE(outcomes.contains(FakeEvaluator::starved_slot));
-    // Work in flight was recorded, and no work was started later.
+    // The work in progress was recorded, and no further work was started.
     EXPECT_GE(outcomes.size(), 20u);
     EXPECT_LE(static_cast<int>(outcomes.size()), 20 + 2 * GetParam());
     for (const auto& [slot, outcome] : outcomes)
@@ -83,7 +83,8 @@ TEST_P(DispatcherOfFakes, DispatcherSurvivesARecordThatThrows) {
         throw Error("no space left on device");
     };
     EXPECT_THROW(evaluate(dispatcher, sample_work(50), disk_full), Error);
-    // No late reply of the failed batch may arrive in this batch.
+    // Late replies to the failed batch must not be taken for replies to this
+    // batch.
     const std::vector<Work> work = sample_work(20, 3);
     evaluate(dispatcher, work, keep());
     expect_all(work);

@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! A point of a leaf in some air.
+//! A point of a leaf with the air around it.
 struct Case {
     std::string name;
     ThermalLeaf leaf;
@@ -19,7 +19,7 @@ struct Case {
     nlohmann::json expected;
 };
 
-//! Leaves and air of all kinds, in an order that is always the same.
+//! Generates leaves and air of all kinds in a reproducible order.
 class AnyLeaf {
   public:
     Case next() {

@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! Expects an expansion to have the values of the response, its slope, and the
-//! curvature that follows from its slope.
+//! Expects that an expansion agrees with the response in value and slope, and
+//! in the curvature computed from differences of the slope.
 template <class Response>
 void expect_derivatives(const Response& f) {
     EXPECT_EQ(f.expand(0).value, 0);
@@ -23,8 +23,8 @@ void expect_derivatives(const Response& f) {
     }
 }
 
-//! Expects a response to begin at 0 with its quantum yield as slope, and the
-//! slope to fall from there on.
+//! Expects that a response begins at 0, with its quantum yield as the initial
+//! slope, and that the slope then decreases.
 inline void expect_concave(const Colimitation& f) {
     EXPECT_EQ(f.gross(0), 0);
     EXPECT_EQ(f.slope(0), f.alpha);

@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-//! Values of independent code, see data/physiology/README.md.
+//! Reads values computed by independent code, see data/physiology/README.md.
 nlohmann::json values() {
     std::ifstream file(IDEOTYPE_TEST_DATA "/physiology/collatz.json");
     return nlohmann::json::parse(file);

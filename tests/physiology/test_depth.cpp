@@ -43,10 +43,11 @@ TEST(Depth, CapacityFollowsNitrogen) {
     EXPECT_DOUBLE_EQ(nitrogen_response(1.8), 1);
     EXPECT_DOUBLE_EQ(nitrogen_response(.25), 0);
     EXPECT_EQ(nitrogen_response(.1), 0);
-    // The function tanh(2.9 (N - 0.25) / 2) gives equal values.
+    // Expected value: the equivalent function tanh(2.9 (N - 0.25) / 2).
     EXPECT_NEAR(nitrogen_response(1.3),
                 std::tanh(1.45 * 1.05) / std::tanh(1.45 * 1.55), 1e-14);
-    // The lowest leaves of a very dense canopy have too little nitrogen.
+    // In a very dense canopy, too little nitrogen is left for the lowest
+    // leaves.
     const std::vector<double> n = nitrogen_of_leaves(std::vector(10, .75));
     EXPECT_EQ(nitrogen_response(n[0]), 0);
     EXPECT_GT(nitrogen_response(n[9]), .7);

@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-//! Reads cases of independent code, see data/physiology/README.md.
+//! Reads cases computed by independent code, see data/physiology/README.md.
 std::vector<Case> cases() {
     std::ifstream file(IDEOTYPE_TEST_DATA "/physiology/energy_given.json");
     const nlohmann::json all = nlohmann::json::parse(file);
@@ -60,7 +60,7 @@ TEST(EnergyBalance, HasTheValuesOfOtherCode) {
     }
 }
 
-//! The equations of the header, written independently.
+//! An independent implementation of the equations stated in the header.
 struct Fluxes {
     Fluxes(const ThermalLeaf& leaf, const LeafSurroundings& in, double t)
         : apart(t - in.temperature) {
@@ -82,7 +82,7 @@ struct Fluxes {
               2 * 29.3 * heat * apart;
     }
 
-    //! Returns the excess of absorbed over lost energy [W m-2].
+    //! Returns absorbed minus lost energy [W m-2].
     double left(double gs) const {
         return dry - per_conductance * (per_conductance < 0
                                             ? 2 * 1.09 * heat
@@ -109,7 +109,7 @@ double net_of(const Case& each, double temperature, double ci) {
         each.leaf.rates);
 }
 
-//! Returns the conductance to which the stomata of a case would open.
+//! Returns the stomatal conductance that the stomatal model of a case predicts.
 double wanted(const Case& each, const EnergyBalance& found) {
     const Fluxes at(each.leaf, each.around, found.temperature);
     const double per_co2 = std::max(found.net, 0.) /
@@ -151,8 +151,9 @@ TEST(EnergyBalance, ClosesForAnyLeaf) {
     EXPECT_LT(several, 300);
 }
 
-// The most open stomata at a temperature leave the least energy: if even these
-// leave some, no stomata give a balance.
+// At a given temperature, leaves with the most open stomata lose the most
+// energy. If an excess remains even then, no stomatal conductance balances the
+// energy.
 TEST(EnergyBalance, IsTheCoolest) {
     AnyLeaf any;
     for (int i = 0; i < 1000; ++i) {
@@ -171,7 +172,8 @@ TEST(EnergyBalance, IsTheCoolest) {
     }
 }
 
-// Enzymes fail above 45 deg C, so a leaf in calm strong light is cool or hot.
+// Enzymes fail above 45 deg C, so that a leaf in strong light and calm air has
+// two stable states, cool and hot.
 TEST(EnergyBalance, OfCalmStrongLightIsCool) {
     LeafSurroundings around{2000, 300, 840, 30, .5, 410, 99, .03, .08};
     const EnergyBalance several = energy_balance({}, around);
@@ -182,7 +184,8 @@ TEST(EnergyBalance, OfCalmStrongLightIsCool) {
     EXPECT_EQ(energy_balance({}, around).roots, 1);
 }
 
-// Ball and Berry in dry calm air: closed stomata see dry air and stay closed.
+// With the model of Ball and Berry in dry, calm air, closed stomata are exposed
+// to dry air and therefore stay closed.
 TEST(EnergyBalance, OfOneTemperatureMayHaveThreeByBallAndBerry) {
     int several = 0;
     for (double humidity = .05; humidity < 1; humidity += .05)

@@ -10,7 +10,7 @@
 namespace ideotype {
 namespace {
 
-//! The limiting rates as the papers give them.
+//! The limiting rates as published.
 struct Limits {
     double rubisco, transport, triose;
 };
@@ -71,13 +71,14 @@ TEST(Farquhar, IsTheSmallestOfThreeLimits) {
                 const double found = farquhar_at({}, t, ci).gross(light);
                 EXPECT_NEAR(
                     found, smaller_root(.98, j, smaller_root(.98, c, p)), 1e-9);
-                // Two equal limits give 0.876 of either, and three 0.81.
+                // Co-limitation by two equal rates gives 0.876 of either, by
+                // three 0.81.
                 EXPECT_LT(found, least);
                 EXPECT_GT(found, .8 * least);
             }
 }
 
-//! Values of independent code in another language.
+//! Expected values: independent code in another language.
 TEST(Farquhar, HasTheValuesOfOtherCode) {
     const auto gross = [](double light, double temperature, double ci) {
         return farquhar_at({}, temperature, ci).gross(light);
@@ -93,7 +94,7 @@ TEST(Farquhar, HasTheValuesOfOtherCode) {
 TEST(Farquhar, IsConcaveFromItsQuantumYield) {
     for (const double temperature : {5., 15., 25., 40.})
         expect_concave(farquhar_at({}, temperature, 280));
-    // Quantum yields of C3 leaves are 0.05 to 0.06 at 25 deg C.
+    // Quantum yields of C3 leaves at 25 deg C are 0.05 to 0.06.
     EXPECT_NEAR(farquhar_at({}, 25, 280).alpha, .05, .01);
 }
 
@@ -109,7 +110,7 @@ TEST(Farquhar, HasItsRatesAt25Degrees) {
     EXPECT_EQ(farquhar_at(leaf, 25, 280).capacity,
               2 * farquhar_at({}, 25, 280).capacity);
     EXPECT_EQ(farquhar_at(leaf, 25, 280).theta, leaf.theta);
-    // In this much CO2 only triose phosphate limits.
+    // At this CO2 concentration, triose phosphate is the only limit.
     leaf.vcmax = leaf.jmax = 1e9;
     EXPECT_NEAR(farquhar_at(leaf, 25, 1e6).gross(1e9), 3 * 13, 1e-4);
 }

@@ -10,7 +10,7 @@
 namespace ideotype {
 namespace {
 
-//! The non-rectangular hyperbola as textbooks give it.
+//! The non-rectangular hyperbola in its textbook form.
 double textbook(const Hyperbola& f, double light) {
     const double sum = f.phi * light + f.amax;
     return (sum - std::sqrt(sum * sum - 4 * f.theta * f.phi * light * f.amax)) /
@@ -59,7 +59,7 @@ TEST(Hyperbola, IsTheMinimumWithFullCurvature) {
 }
 
 TEST(Hyperbola, ReachesARateWithTheCapacityForIt) {
-    // The numbers were computed by hand: 50 (120 - 0.7 50) / (120 - 50).
+    // Expected value, computed by hand: 50 (120 - 0.7 50) / (120 - 50).
     EXPECT_NEAR((Hyperbola{.06, .7}.amax_for(2000, 50)), 60.7142857, 1e-6);
     for (const double theta : {0., .5, .7, 1.})
         for (const double rate : {0., 3., 52., 119.}) {

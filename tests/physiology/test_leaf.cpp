@@ -28,7 +28,7 @@ TEST(Leaf, CapacityFollowsTheTemperature) {
     EXPECT_EQ(cool.phi, .06);
     EXPECT_DOUBLE_EQ(cool.amax, 50 * c4_temperature_response(15) /
                                     c4_temperature_response(30));
-    // A rate of 39 at 25 deg C is 49.9 at 30 deg C.
+    // A rate of 39 at 25 deg C corresponds to 49.9 at 30 deg C.
     EXPECT_NEAR(39 * c4_temperature_response(30) / c4_temperature_response(25),
                 49.9, 2.);
     EXPECT_LT(c4_temperature_response(0), .1);
@@ -68,12 +68,12 @@ TEST(Leaf, CollatzFollowsHumidity) {
 TEST(Leaf, FarquharFollowsHumidity) {
     EXPECT_GT(gross_assimilation(FarquharLeaf{}, {30, .8}, 2000),
               gross_assimilation(FarquharLeaf{}, {30, .3}, 2000));
-    // The expected value is 400 g1 / (g1 + sqrt(D)), with D of 1.6972 kPa.
+    // The expected CO2 is 400 g1 / (g1 + sqrt(D)) with D = 1.6972 kPa.
     EXPECT_NEAR(gross_assimilation(FarquharLeaf{}, {}, 700),
                 farquhar_at({}, 30, 326.53).gross(700), 1e-4);
 }
 
-//! Checks properties that all models share.
+//! Checks properties that all models must have.
 template <class Leaf>
 void expect_a_leaf() {
     const LeafRates leaf = Leaf{};

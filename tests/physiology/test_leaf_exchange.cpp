@@ -10,7 +10,8 @@
 namespace ideotype {
 namespace {
 
-//! Returns absorbed energy that is not lost, relative to absorbed energy.
+//! Returns the energy that is absorbed but not lost, relative to the absorbed
+//! energy.
 double part_left(const Case& each, const LeafExchange& found) {
     const LeafSurroundings& in = each.around;
     const double absorbed = in.ppfd / 4.57 + in.nir + in.longwave;

@@ -31,7 +31,7 @@ double cpu_seconds() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-//! Sleeps and returns all columns of a real outcome.
+//! Sleeps, then returns an outcome with all columns.
 class SleepingEvaluator : public Evaluator {
   public:
     SleepingEvaluator(OutcomeSchema schema, double seconds)
@@ -67,7 +67,7 @@ void measure(Campaign campaign, double seconds, const Session& session,
              const StopFlag& stop, const std::string& folder) {
     const Case chosen = cases(campaign).front();
     const int workers = std::max(1, session.size() - 1);
-    // Each measurement takes a few seconds, and at least one generation.
+    // Each measurement takes several seconds, and at least one generation.
     constexpr double enough = 4;
     constexpr double most_generations = 20;
     campaign.search.population = 100;

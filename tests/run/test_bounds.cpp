@@ -16,7 +16,7 @@ GeneSpace gene_space() {
     return genes;
 }
 
-//! Returns a plant with a height, and the widths of its highest points.
+//! Returns a plant from its height and the widths at its two highest points.
 Genome plant(double height, double fourth, double fifth) {
     return {height, 0, 0, 1, 1, 1, fourth, fifth};
 }
@@ -41,7 +41,8 @@ TEST(Bounds, AreNamedByGene) {
 }
 
 TEST(Bounds, AreCountedOverSearches) {
-    // These heights are those of three searches of campaigns/quickstart.toml.
+    // The heights are those found by three searches of
+    // campaigns/quickstart.toml.
     EXPECT_EQ(
         count_of({plant(0.701, 1, 1), plant(0.713, 1, 1), plant(0.726, 1, 1)})
             .in_words(),
@@ -55,7 +56,7 @@ TEST(Bounds, AreCountedOverSearches) {
 }
 
 TEST(Bounds, AreNotReportedForFewValues) {
-    // One of five values is a fifth, one of ten is less.
+    // One value in five reaches the threshold of a fifth, one in ten does not.
     EXPECT_NE(count_of({plant(1, 1, 1.35)}).in_words(), "");
     EXPECT_EQ(count_of({plant(1, 1, 1.35), plant(1, 1, 1)}).in_words(), "");
 }

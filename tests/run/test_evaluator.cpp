@@ -28,12 +28,13 @@ TEST_F(Ames, TheBaselineAbsorbsAsMuchAsASparseReference) {
     Task task;
     task.is_final = true;
     const Outcome outcome = evaluator.evaluate(task, baseline);
-    // Leaves and stalks of a B73-like stand take about 0.93 of the light.
+    // In a stand similar to B73, leaves and stalks absorb about 0.93 of the
+    // light.
     const double leaves = quantity(outcome, "absorbed_fraction");
     const double stalks = quantity(outcome, "stalk_fraction");
     EXPECT_NEAR(leaves + stalks, .93, .015);
     EXPECT_NEAR(quantity(outcome, "lai"), 3.44, .03);
-    // Values are from pvlib: tests/climate/test_day.cpp.
+    // Expected value: pvlib, as in tests/climate/test_day.cpp.
     EXPECT_NEAR(quantity(outcome, "incident"), 12.07745, 1e-4 * 12.07745);
     EXPECT_LT(outcome.objectives[0].standard_error,
               .002 * outcome.objectives[0].mean);
@@ -64,7 +65,7 @@ TEST_F(Ames, ExtinctionFollowsFromTheLightTransmittedByAllOrgans) {
     const Estimate k = find(schema, outcome, "extinction_coefficient").value();
     const double lai = quantity(outcome, "lai");
     EXPECT_NEAR(std::exp(-k.mean * lai), 1 - fapar.mean, 1e-12);
-    // The delta method is compared with finite differences.
+    // The delta method must agree with finite differences.
     const auto at = [&](double f) { return -std::log(1 - f) / lai; };
     EXPECT_NEAR((at(fapar.mean + 1e-6) - at(fapar.mean - 1e-6)) / 2e-6 *
                     fapar.standard_error / k.standard_error,
@@ -108,7 +109,8 @@ TEST_F(Ames, AToleranceIsMetAndTheRowStatesItsPaths) {
     exact.sampling = {1 << 14, 16, 2e-3};
     CanopyEvaluator to_tolerance(exact, Device::supported_isas().back());
     const Outcome met = to_tolerance.evaluate({}, baseline);
-    // 16 randomisations know their error to a fifth, and so do the trials.
+    // The standard error from 16 randomisations is accurate to about 20 %, and
+    // so are the trials that choose the number of paths.
     EXPECT_LE(met.objectives[0].standard_error,
               3.5e-3 * met.objectives[0].mean);
     EXPECT_GT(quantity(met, "paths"), 16 * 64);
@@ -141,7 +143,7 @@ TEST_F(Ames, CommonRandomNumbersReduceTheErrorOfDifferences) {
     Genome other = baseline;
     other[0] *= 1.02;
     Task task;
-    task.is_final = true;  // one number of paths for both
+    task.is_final = true;  // so that both use the same number of paths
     const Outcome a = evaluator.evaluate(task, baseline);
     const Outcome b = evaluator.evaluate(task, other);
     const double independent = std::hypot(a.objectives[0].standard_error,
@@ -281,9 +283,9 @@ TEST_F(Study, KeysOfARowActLikeThoseOfACampaign) {
               evaluated(evaluator, 0, 3, 0.4, 0.7).objectives[0].mean);
 }
 
-//! Noise can only be subtracted by its standard errors if these contain all of
-//! the noise: the light of a row, and the fields if a row has several, which
-//! lose the more carbon the more leaves they have.
+//! Noise can be subtracted by means of standard errors only if these include
+//! all noise: that of the light and, if a row has several fields, that of the
+//! fields. Carbon losses of fields vary more if plants have more leaves.
 TEST_F(Study, RowsHaveIndependentNoiseOfKnownSize) {
     for (const std::vector<std::string>& fields :
          {std::vector<std::string>{},
@@ -318,8 +320,8 @@ TEST_F(Study, RowsHaveIndependentNoiseOfKnownSize) {
         }
         const double variance =
             count * std::pow(estimate(values).standard_error, 2);
-        // The bound is the error of a chi-squared distribution with 59 degrees
-        // of freedom, and that of the sum of 60 with 3.
+        // The tolerance combines the standard errors of a chi-squared variable
+        // with 59 degrees of freedom and of the sum of 60 variables with 3.
         EXPECT_NEAR(variance / squares, 1,
                     3.5 * std::sqrt(2.0 / (count - 1) + 2.0 / (3 * count)))
             << fields.size();

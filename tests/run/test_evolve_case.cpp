@@ -16,8 +16,8 @@
 namespace ideotype {
 namespace {
 
-//! An evaluator of the sum of the genes, which fails and stops in some slots,
-//! and counts.
+//! An evaluator that returns the sum of the genes, fails or requests a stop in
+//! some slots, and counts its evaluations.
 class SumEvaluator : public Evaluator {
   public:
     SumEvaluator(const OutcomeSchema& schema, StopFlag& stop)
@@ -35,7 +35,7 @@ class SumEvaluator : public Evaluator {
         double sum = 0;
         for (const double gene : genome) sum += gene;
         outcome.objectives.assign(schema_.objectives.size(), {sum, 0.1});
-        // The sum of all genes also stands for the kind of a plant.
+        // The sum of all genes also serves as the feature of a plant.
         outcome.quantities[schema_.measured.offset("lai")].mean = sum;
         return outcome;
     }
@@ -87,7 +87,8 @@ class EvolveCase : public ::testing::Test {
         return once.result();
     }
 
-    //! Expects searches that are stopped and resumed to make the same history.
+    //! Expects that stopped and resumed searches make the same history as
+    //! uninterrupted ones.
     void expect_same_after_stops() {
         const HistoryHeader h = header();
         History whole = History::create(path("whole.h5"), h);
@@ -140,7 +141,8 @@ TEST_F(EvolveCase, EndsWithEvaluatedFinalistsAndAReason) {
               finalists[0].outcome.objectives[0].mean);
 }
 
-//! Proposes one plant more in each generation, further from the baseline.
+//! Each generation proposes one more plant than the previous one, further from
+//! the baseline.
 class GrowingOptimizer : public GenerationalOptimizer {
   public:
     explicit GrowingOptimizer(Genome baseline)
@@ -192,7 +194,7 @@ TEST_F(EvolveCase, GenerationsMayDifferInSize) {
     EXPECT_EQ(history.finished(), "generations");
 }
 
-//! Returns the bytes that this process has read so far.
+//! Returns the number of bytes that this process has read so far.
 long long bytes_read() {
     std::ifstream io("/proc/self/io");
     std::string name;
@@ -202,7 +204,7 @@ long long bytes_read() {
     return bytes;
 }
 
-//! Counts the bytes that were read in each generation.
+//! Counts the bytes read in each generation.
 class ReadingWatcher : public NoWatcher {
   public:
     void on_generation(std::uint32_t, std::uint32_t,
@@ -235,7 +237,8 @@ TEST_F(EvolveCase, LateGenerationsReadNoMoreThanEarlyOnes) {
     ASSERT_EQ(reading.bytes.size(), 400U);
     const long long early = reading.bytes[2];
     EXPECT_GT(early, 0);
-    // The numbers in /proc/self/io grow; 400 summaries have 24 kB.
+    // Texts in /proc/self/io become longer with time. Reading all 400 summaries
+    // again would add 24 kB.
     EXPECT_LE(reading.bytes.back(), early + 1000);
 }
 
@@ -277,7 +280,7 @@ TEST_F(EvolveCase, StopAndResumeGiveTheSameByAtlas) {
     expect_same_after_stops();
 }
 
-// The rule that ends streams also follows only from the rows that streams need.
+// The rule that ends streams also depends only on the rows that streams need.
 TEST_F(EvolveCase, AStopRuleEndsStreamsAtTheSameRow) {
     campaign.search.streams = 2;
     campaign.stop.evaluations = 20;
@@ -291,8 +294,8 @@ TEST_F(EvolveCase, AStopRuleEndsStreamsAtTheSameRow) {
     EXPECT_EQ(history.size(3), 0U);
 }
 
-// All proposed rows are complete when the stop comes, and the rule holds, but
-// another stream has gone further.
+// All proposed rows are complete at the stop, and the rule is met, but another
+// stream is further ahead.
 TEST_F(EvolveCase, AStopBeforeTheEndOfStreamsLeavesTheCaseUnfinished) {
     campaign.search.streams = 2;
     campaign.stop.evaluations = 20;

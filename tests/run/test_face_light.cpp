@@ -28,8 +28,8 @@ class FaceLight : public ::testing::Test {
         request.scene.cell = cell_of(form);
     }
 
-    //! Returns the light that faces of leaves, or all other faces, absorb per
-    //! area of ground [J m-2 day-1].
+    //! Returns the light absorbed by faces of leaves, or by all other faces,
+    //! per area of ground [J m-2 day-1].
     static double sum(const Mesh& mesh, const std::vector<Estimate>& light,
                       double ground_area, bool is_leaf) {
         const std::vector<double> areas = face_areas(mesh);
@@ -41,7 +41,7 @@ class FaceLight : public ::testing::Test {
         return energy / ground_area;
     }
 
-    //! Expects the light on the faces of a mesh to sum to the request's
+    //! Expects that the light on the faces of a mesh sums to the total of the
     //! evaluation.
     void expect_totals(const Mesh& mesh, const std::vector<Estimate>& light,
                        double ground_area) const {
@@ -52,8 +52,8 @@ class FaceLight : public ::testing::Test {
                     1e-12);
     }
 
-    //! Expects the light absorbed by all faces of the requested field to be
-    //! the total that its evaluation reports.
+    //! Expects that the light on all faces of the requested field sums to the
+    //! total of its evaluation.
     void expect_totals_of_field() {
         const Field ready = draw_field(request.scene, request.randomness);
         const Scene drawn = as_drawn(request.scene, ready);
@@ -94,7 +94,7 @@ TEST_F(FaceLight, FacesOfAnIsolatedPlotSumToItsEvaluation) {
               .boundary = Boundary::isolated,
               .border_rows = 1});
     expect_totals_of_field();
-    // A face that only one field has counts by its light there.
+    // A face that exists in only one field counts with its light in this field.
     EXPECT_NEAR(sum(plant, of_faces(), ground, true) /
                     evaluate(request, device).par().light.day.leaves.mean,
                 1, .2);
@@ -110,14 +110,15 @@ TEST_F(FaceLight, StandardErrorsOfFacesAreUnbiasedAndSmall) {
     for (std::size_t f = 0; f < plant.faces.size(); ++f) {
         const Estimate &a = one[f], &b = other[f];
         const double error = std::hypot(a.standard_error, b.standard_error);
-        // Little of the tops of sheaths is visible.
+        // Only small parts of the tops of sheaths are visible.
         if (!(error > 0) || !(a.mean > 0)) continue;
         squares += std::pow((a.mean - b.mean) / error, 2);
         relative += a.standard_error / a.mean;
         ++count;
     }
     EXPECT_GT(count, .95 * static_cast<double>(plant.faces.size()));
-    // The ratio is about 1.1 with 15 degrees of freedom for each error.
+    // The expected ratio is about 1.1, because each error has 15 degrees of
+    // freedom.
     EXPECT_NEAR(squares / count, 1.1, .4);
     EXPECT_LT(relative / count, .1);
 }

@@ -9,7 +9,7 @@ namespace {
 
 class Provenance : public testing::Test {
   protected:
-    //! Returns why a history with this header is not resumed, or "".
+    //! Returns the reason why a history with this header is not resumed, or "".
     std::string refusal(const HistoryHeader& changed) const {
         try {
             require_resumable(changed, campaign, chosen, "case.h5");

@@ -12,14 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! A history that has only a final evaluation.
+//! A history with only a final evaluation.
 class Summary : public testing::Test {
   protected:
     ~Summary() override { fs::remove(path_); }
 
-    //! Returns the summary of the light that baseline and best plant absorb [MJ
-    //! m-2 day-1], and their leaf area indices; NaN stands for a failed
-    //! evaluation.
+    //! Returns the summary for the given light absorbed by baseline and best
+    //! plant [MJ m-2 day-1] and their leaf area indices; NaN: the evaluation
+    //! failed.
     std::string of(Estimate baseline, double baseline_lai, Estimate best,
                    double best_lai) {
         fs::remove(path_);

@@ -23,7 +23,7 @@ TEST(WayOn, ResumesAsTheRunWasStarted) {
               "mpirun --oversubscribe -n 4 ideotype run a.toml --resume");
     EXPECT_EQ(way_on("ideotype run a.toml", 1, "mpirun -n 1"),
               "ideotype run a.toml --resume");
-    // The path looks like an option.
+    // This path contains the name of the option.
     EXPECT_EQ(way_on("ideotype run a--resume.toml", 2),
               "mpirun -n 2 ideotype run a--resume.toml --resume");
 }

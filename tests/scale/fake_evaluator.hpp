@@ -9,12 +9,12 @@
 
 namespace ideotype {
 
-//! Lets the simulated time of an evaluation pass and returns all columns of a
-//! real outcome. All ranks of a simulation share one evaluator.
+//! Advances the simulated time by the duration of an evaluation, and returns an
+//! outcome with all columns. All ranks of a simulation share one evaluator.
 class FakeEvaluator : public Evaluator {
   public:
-    //! @param seconds mean time of an evaluation; times spread around it as
-    //! measured, see README.md
+    //! @param seconds mean duration of an evaluation; durations are distributed
+    //! as measured, see README.md
     FakeEvaluator(OutcomeSchema schema, double seconds)
         : schema_(std::move(schema)), seconds_(seconds) {}
 
@@ -31,14 +31,14 @@ class FakeEvaluator : public Evaluator {
         return outcome;
     }
 
-    //! Returns the time of all evaluations so far [s].
+    //! Returns the total duration of all evaluations so far [s].
     double total() const { return total_; }
 
   private:
-    //! Returns the time of one evaluation, a function of the task [s].
+    //! Returns the duration of one evaluation, a function of the task [s].
     double seconds_of(const Task& task) const {
-        // The times of evaluations of campaigns/ames.toml, in equal steps of
-        // probability, relative to their mean.
+        // Measured durations of evaluations of campaigns/ames.toml, relative to
+        // their mean, at equal steps of probability.
         constexpr double quantiles[] = {
             0.223, 0.276, 0.332, 0.512, 0.623, 0.664, 0.709,
             0.752, 0.826, 0.94,  1.01,  1.04,  1.07,  1.1,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Evolves cases with the real master's loop, dispatcher and messages on a
-//! simulated cluster: see README.md.
+//! Runs the real loop, dispatcher and messages of the master on a simulated
+//! cluster, see README.md.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -28,7 +28,7 @@ namespace {
 
 namespace s4u = simgrid::s4u;
 
-//! A master that spends the time of rank 0's computations between messages.
+//! A master that also spends the simulated time of rank 0's computations.
 class Master : public Director, public Watcher {
   public:
     Master(const Options& options, const Campaign& campaign,
@@ -75,7 +75,7 @@ class Master : public Director, public Watcher {
     }
 
   private:
-    //! An optimizer whose work takes simulated time.
+    //! An optimizer that takes simulated time.
     class SlowOptimizer : public Optimizer {
       public:
         SlowOptimizer(Master& master, const Case& chosen)
@@ -96,7 +96,8 @@ class Master : public Director, public Watcher {
             return fast_->propose(generation, slot);
         }
         void learn(Individual row) override {
-            // A whole generation is learnt at its end, as ranking takes it.
+            // The time of learning is spent at the end of a generation, when
+            // plants are ranked.
             if (++rows_ == fast_->size(generation_)) {
                 master_.spend(master_.options_.master_per_candidate *
                               static_cast<double>(rows_));
@@ -181,7 +182,7 @@ struct Simulation {
         evaluations += master.evaluations;
     }
 
-    //! Prints one line; returns false if efficiency is below the limit.
+    //! Prints one line; returns whether the efficiency reaches the limit.
     bool report() const {
         const double seconds = ended - began;
         const double efficiency = evaluator->total() / options.ranks / seconds;
@@ -251,8 +252,8 @@ void simulate(s4u::Engine& engine, Simulation& simulation) {
 int main(int argc, char** argv) {
     using namespace ideotype;
     s4u::Engine engine(&argc, argv);
-    // Computations of ranks take no time unless it is spent; an eager message
-    // has left when it is posted.
+    // Computations of ranks take no simulated time unless spend() is called,
+    // and an eager message is sent as soon as it is posted.
     for (const char* setting :
          {"smpi/simulate-computation:no", "smpi/iprobe:0", "smpi/test:0",
           "smpi/async-small-thresh:65536", "contexts/stack-size:512"})

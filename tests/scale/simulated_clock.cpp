@@ -17,7 +17,8 @@ void SimulatedClock::nap(double seconds) const {
     spend(seconds + slack_);
 }
 
-// The sleep of SMPI is not counted as computation, which it measures.
+// SMPI measures the time of computations. Its simulated sleep is not counted as
+// one, so that exactly the given time passes.
 void SimulatedClock::spend(double seconds) {
     if (seconds <= 0) return;
     std::timespec time{};

@@ -8,13 +8,13 @@ namespace ideotype {
 //! The clock of the simulated machine, the same for all ranks.
 class SimulatedClock : public RankClock {
   public:
-    //! @param slack the time by which a nap is longer than asked for [s]
+    //! @param slack excess of the duration of a nap over the requested time [s]
     explicit SimulatedClock(double slack) : slack_(slack) {}
 
     double now() const override;
     void nap(double seconds) const override;
 
-    //! Computes for exactly this time [s].
+    //! Spends exactly this time on a computation [s].
     static void spend(double seconds);
 
   private:

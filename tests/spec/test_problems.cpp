@@ -7,7 +7,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns problems of a spacing with two values.
+//! Returns the problems of a spacing table with two values.
 Problems spacing() {
     const Problems problems = Problems().in("spacing", 1);
     problems.locate("row", {"a.toml", 4, 7});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents and schema follow from the tables of keys and are written by a
-// command, so that they cannot show that a default or a range is wrong. These
-// tests state both a second time.
+// Documents and schema are generated from the tables of keys, so that they
+// cannot reveal a wrong default or range. These tests state defaults and ranges
+// a second time.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -39,7 +39,7 @@ void append(std::vector<Declared>& declared, const std::string& section,
         declared.push_back({section, &key, description.usual()});
 }
 
-//! Returns all keys of campaigns, crop files, and `light` with its scenes.
+//! Returns all keys of campaigns, crop files, and the scene files of `light`.
 std::vector<Declared> declared_keys() {
     std::vector<Declared> declared;
     for (const Documented& table : documented_tables())
@@ -53,8 +53,8 @@ std::vector<Declared> declared_keys() {
     return declared;
 }
 
-//! Returns a range and a default as the record has them; names of quantities
-//! are those that the library declares.
+//! Returns a range and a default in the form of the record; quantities have the
+//! names that the library declares.
 std::string stated(const Declared& declared) {
     return fmt::format(
         "{} | {}",
@@ -62,10 +62,10 @@ std::string stated(const Declared& declared) {
         default_text(*declared.key, declared.usual));
 }
 
-//! Returns the numbers of the default that a record of all defaults has.
+//! Returns the numbers in a default, as printed in the record of all defaults.
 std::vector<double> default_numbers(const Declared& declared) {
     if (!declared.usual || declared.key->initial.is_required) return {};
-    // Places are not constant, but nothing is written there.
+    // The address of a value is not const, but nothing is written to it.
     const Target place = declared.key->place(const_cast<void*>(declared.usual));
     std::vector<double> values;
     std::visit(
@@ -87,48 +87,50 @@ std::vector<double> default_numbers(const Declared& declared) {
     return values;
 }
 
-//! Limits that values of a unit, or of a quantity by the end of its name, have
-//! in nature or by the definition of the quantity.
+//! Physical limits of the values of a unit, or limits that follow from the
+//! definition of a quantity, by the end of its name.
 struct Natural {
     const char* end;  //!< end of the name of a key, or its unit after a space
     double lower, upper;
     bool is_whole;  //!< whether every value between the limits must be allowed
 };
 constexpr Natural natural[] = {
-    // Shares of the light that comes to a surface.
+    // Fractions of the light that hits a surface.
     {"reflectance", 0, 1, true},
     {"transmittance", 0, 1, true},
     {"albedo", 0, 1, true},
-    // Places on Earth, from the Dead Sea (-430 m) to Mount Everest (8849 m),
+    // Positions on Earth, from the Dead Sea (-430 m) to Mount Everest (8849 m),
     // and the clocks of all time zones (UTC-12 to UTC+14).
     {".latitude", -90, 90, true},
     {".longitude", -180, 180, true},
     {".utc_offset", -12, 14, true},
     {".elevation", -1000, 10000, false},
-    // Full turns, and two turns of a twisted blade.
+    // One full turn, and two turns for the twist of a blade.
     {".row_direction", 0, 360, true},
     {".twist", -720, 720, false},
     {" deg", -720, 720, false},
-    // Plants are lower than 10 m and stand less than a kilometre apart.
+    // Plants are less than 10 m high and less than a kilometre apart.
     {"leaf.length", 0, 10, false},
     {"leaf.width", 0, 1, false},
     {"height", 0, 1000, false},
     {" m", -100000, 100000, false},
-    // Biology ends below freezing and at 60 deg C (temperatures of stages).
+    // No growth occurs below freezing or above 60 deg C (temperatures of
+    // stages).
     {".base", -20, 60, false},
     {".cap", -20, 60, false},
-    // Quantum yields are below 1/8, that of C3 leaves without losses (two
-    // photosystems, four electrons), and curvatures of responses 0 to 1.
+    // Quantum yields are at most 1/8, the value for C3 leaves without losses
+    // (two photosystems, four electrons); curvatures of responses are 0 to 1.
     {".phi", 0, 0.2, false},
     {".alpha", 0, 0.2, false},
     {".theta", 0, 1, true},
     {".beta", 0, 1, true},
-    // From the least CO2 of any use to a closed chamber with tenfold air.
+    // From the lowest useful CO2 concentration to that in a closed chamber with
+    // tenfold air.
     {".co2", 0, 10000, false},
-    // Building a gram of tissue takes at least a gram of glucose.
+    // A gram of tissue requires at least a gram of glucose.
     {".construction", 1, 10, false},
     {"correlations", -1, 1, true},
-    // A year has 366 days, a day 1440 min.
+    // A year has at most 366 days, a day 1440 min.
     {"light.dates", 1, 366, true},
     {".step_minutes", 1, 1440, false},
 };
@@ -170,14 +172,15 @@ TEST(KeyValues, DefaultsLieInTheirRanges) {
         if (!declared.has_limits()) continue;
         const std::vector<double> usual = default_numbers(declared);
         const auto& [words, example, is_required] = declared.key->initial;
-        // The record marks defaults that follow from other keys.
+        // In the record, defaults that follow from other keys are marked.
         if (!words)
             for (const double value : usual) expect_in_range(declared, value);
         for (const char* text : {words, example}) {
             if (!text) continue;
             char* end = nullptr;
             const double value = std::strtod(text, &end);
-            // Clock times and shares of other keys are in no unit of the key.
+            // Clock times, and shares of other keys, are not in the unit of the
+            // key.
             if (end == text || *end == ':' ||
                 std::string_view(end).starts_with(" amax"))
                 continue;
@@ -212,8 +215,9 @@ TEST(KeyValues, HavePhysicalLimits) {
         EXPECT_TRUE(used.contains(limit.end)) << limit.end << " is no key";
 }
 
-//! Keys of the same name and unit mean the same in each table, but for those of
-//! plants of another kind, which may be left out, and for measures of organs.
+//! Keys with equal names and units have the same range and default in all
+//! tables. Exceptions are keys of other kinds of plants, which may be absent,
+//! and measures of organs.
 TEST(KeyValues, OfTheSameKeyAreTheSameInAllTables) {
     std::map<std::string, Declared> first;
     for (const Declared& declared : declared_keys()) {

@@ -43,7 +43,8 @@ class Mixtures : public ::testing::Test {
     }
 
     const Device device{Device::supported_isas().back()};
-    //! Settings that give the campaign the optics of a component's crop file.
+    //! Settings that give the campaign the same optics as the crop file of a
+    //! component.
     const std::vector<std::string> alike{"optics.leaf_reflectance=0.06",
                                          "optics.leaf_transmittance=0.03"};
 };

@@ -17,7 +17,8 @@ inline Outcome season_of(const Campaign& campaign) {
                   Device(Device::supported_isas().back()));
 }
 
-//! Returns the numbers of each quantity of this outcome, by name and place.
+//! Returns all numbers of an outcome, by the name of the quantity and the
+//! position along its axis.
 inline std::map<std::string, double> numbers(const Campaign& campaign) {
     const Outcome outcome = season_of(campaign);
     const QuantitySet measured =

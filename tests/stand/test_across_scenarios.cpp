@@ -9,7 +9,7 @@
 namespace ideotype {
 namespace {
 
-//! Returns ames_quick with more lines before the first [[day]] and below
+//! Returns ames_quick with additional lines before the first [[day]] and below
 //! [objective].
 Campaign changed(const std::string& before_day, const std::string& objective) {
     std::string text =
@@ -42,8 +42,8 @@ Outcome evaluated(const Campaign& campaign, const Task& task = {}) {
                   Device(Device::supported_isas().back()));
 }
 
-//! Returns the outcomes of one plant in a case for each site, with the random
-//! numbers of this case.
+//! Returns the outcomes of one plant in a separate case for each site, with the
+//! random numbers of the given case.
 std::vector<Outcome> separately(const Case& robust) {
     const Campaign campaign = changed(south, "");
     const Device device(Device::supported_isas().back());
@@ -110,13 +110,14 @@ TEST(AcrossScenarios, TheViolationIsThatOfTheWorstScenario) {
     const OutcomeSchema schema =
         outcome_schema(campaign, cases(campaign).at(0), campaign.sampling);
     const double mean_lai = find(schema, evaluated(campaign), "lai")->mean;
-    // Twice the density gives twice the leaf area.
+    // Twice the density doubles the leaf area index.
     const double lai = mean_lai / 1.5;
     campaign.spec.constraints.lai = {0, lai};
     EXPECT_NEAR(evaluated(campaign).violation, 1, 1e-6);
 }
 
-//! Constraints leave variation out, so that no plant meets them by chance.
+//! Constraints are evaluated without within-line variation, so that no plant
+//! meets them by chance.
 TEST(PlantVariation, DoesNotAffectConstraints) {
     Campaign campaign = changed("", "");
     campaign.spec.constraints.lai = {0, 3};
@@ -151,7 +152,7 @@ TEST(AcrossScenarios, ScenarioAxesDoNotMultiplyCases) {
     EXPECT_EQ(cases(by_site)[1].name, "south_0807_all_all_r1");
     EXPECT_EQ(cases(by_site)[1].scenarios.at(0).name,
               "south_0807_narrow_all_r1");
-    // No earlier campaign has changed.
+    // Resolved texts of earlier campaigns are unchanged.
     EXPECT_EQ(changed("", "").resolved.find("scenarios"), std::string::npos);
     EXPECT_THROW(changed("", "over = [\"climate\"]\n"), InputError);
     EXPECT_THROW(changed("", "over = [\"traits\"]\n"), InputError);

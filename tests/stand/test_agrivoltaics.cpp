@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Campaigns with panels and other objects.
+// Tests campaigns with panels and other objects.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -70,7 +70,8 @@ TEST(Agrivoltaics, PanelsAbsorbLightButAreNotLeaves) {
     EXPECT_NEAR(shaded.plants.mean + shaded.objects.mean + shaded.soil.mean +
                     shaded.reflected.mean,
                 shaded.incident, 1e-9 * shaded.incident);
-    // Modules with a reflectance of 5 % absorb the rest of the light on them.
+    // Modules with a reflectance of 5 % absorb the remaining light that falls
+    // on them.
     const ObjectReport& object = below.objects.front();
     EXPECT_NEAR(object.area_index, 1.5 / 3.048, 1e-12);
     const std::vector<PartLight>& sides = below.par().objects;
@@ -82,8 +83,7 @@ TEST(Agrivoltaics, PanelsAbsorbLightButAreNotLeaves) {
                 shaded.objects.mean / .95, 1e-9 * shaded.incident);
 }
 
-//! PAR and near infrared are parts of the light without overlap, each of which
-//! counts once.
+//! PAR and near infrared do not overlap, and each counts once.
 TEST(Agrivoltaics, LightOnPanelsIsSummedOverBands) {
     const Settings both{panel, "band=[{name=\"nir\"}]"};
     const CanopyReport report = light_of_field(both);
@@ -120,8 +120,8 @@ TEST(Agrivoltaics, TheCellMayBeMuchNarrowerThanPanelsAreHigh) {
         expect_equal(a.par().objects[side].day, b.par().objects[side].day);
 }
 
-//! Fixed panels give the light of tracking panels at the hour at which both
-//! stand alike.
+//! At an hour at which a tracking panel has the angle of a fixed panel, both
+//! give equal light.
 TEST(Agrivoltaics, TrackingPanelsHaveTheAngleOfTheTracker) {
     const std::string rows =
         "pitch=3.048, height=4, width=1.5, offset=1.524, transmittance=0.2, ";
@@ -165,7 +165,7 @@ TEST(Agrivoltaics, TrackingPanelsHaveTheAngleOfTheTracker) {
     EXPECT_GT(*angles.rbegin(), 20);
 }
 
-//! Paths that are followed back, and sensors, meet panels in their position at
+//! Paths traced backwards, and sensors, see the panels at their position of
 //! each instant.
 TEST(Agrivoltaics, LightIsTracedBackwardsBelowTrackingPanels) {
     const Settings tracked{
@@ -197,8 +197,8 @@ TEST(Agrivoltaics, LightIsTracedBackwardsBelowTrackingPanels) {
             << h;
         EXPECT_LT(a.standard_error, .01 * a.mean) << h;
     }
-    // Just above the ground, sensors at all places measure the light on the
-    // ground.
+    // Averaged over all positions, sensors just above the ground measure the
+    // light on the ground.
     const Sensor level{1e-3, std::numeric_limits<double>::quiet_NaN()};
     const auto quantity =
         light_on_sensors(request, device, std::span(&level, 1), 512);
@@ -237,7 +237,7 @@ TEST(Agrivoltaics, ObjectsAreKeptInTheResolvedCampaign) {
         ASSERT_EQ(scene.objects.size(), 1u);
         const Mesh& mesh = scene.objects[0].mesh;
         ASSERT_EQ(mesh.vertices.size(), 4u);
-        // The turn is clockwise from above: the axis x becomes -y.
+        // Seen from above the rotation is clockwise: the axis x becomes -y.
         EXPECT_NEAR(mesh.vertices[2].x, .1, 1e-12);
         EXPECT_NEAR(mesh.vertices[2].y, 0, 1e-12);
         EXPECT_NEAR(mesh.vertices[2].z, 3, 1e-12);
@@ -252,7 +252,7 @@ TEST(Agrivoltaics, ThePitchOfPanelsMayEqualTheWidthOfTheField) {
     std::string panel_text = panel;
     panel_text.erase(panel_text.find("pitch=3.048, "), 13);
     for (const std::string direction : {"90", "0"}) {
-        // Across the rows of plants the field is 0.6096 m wide.
+        // The field is 0.6096 m wide across the rows of plants.
         const Settings settings{
             panel_text, "spacing.row_direction=" + direction,
             direction == "0" ? "field.plants=20" : "field.plants=4"};
@@ -289,7 +289,8 @@ TEST(Agrivoltaics, PanelHeightAndPitchMayBeOptimisedWithThePlant) {
     for (const glm::dvec3& v : scene.objects[0].mesh.vertices)
         height += v.z / 4;
     EXPECT_NEAR(height, 3.5, 1e-12);
-    // A search that begins at a plant begins with the keys of the campaign.
+    // A search that starts at a given plant also starts at the campaign's
+    // values of varied keys.
     const std::vector<double> start =
         campaign_with(
             {panel_text, "search.optimizer=cma_es",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soybean in rows that its leaves close.
+// Tests soybean in rows with a closed canopy.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Components of campaigns that have a mesh in place of a crop.
+// Tests components of campaigns that are given as a mesh instead of a crop.
 #include <fstream>
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace ideotype {
 namespace {
 
-//! Writes a mesh, all digits of its coordinates included.
+//! Formats a mesh with all digits of its coordinates.
 std::string written(const Mesh& mesh) {
     const std::string path = temporary_file("weed.obj");
     std::ofstream file(path);
@@ -30,7 +30,7 @@ std::string written(const Mesh& mesh) {
     return path;
 }
 
-//! A square sheet of one leaf, 1 m high.
+//! Returns a square sheet at a height of 1 m, a single leaf.
 std::string sheet() {
     const std::string path = temporary_file("sheet.obj");
     std::ofstream(path) << "v 0 0 1\nv .1 0 1\nv .1 .1 1\nv 0 .1 1\n"
@@ -44,7 +44,7 @@ class ComponentMeshes : public Mixtures {
         return read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml", settings);
     }
 
-    //! Returns all problems of a component with these keys.
+    //! Returns all problems of a component with the given keys.
     static std::string problems_of(const std::string& keys,
                                    std::vector<std::string> settings = {}) {
         settings.push_back("component=[{name=\"tree\", rows=[2], " + keys +

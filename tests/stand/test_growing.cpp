@@ -13,8 +13,8 @@
 namespace ideotype {
 namespace {
 
-//! Returns growing_season with other settings, in one year until 10 September,
-//! when plants are not yet mature.
+//! Returns growing_season with other settings, for one year and until 10
+//! September, before plants are mature.
 Campaign growing(std::vector<std::string> settings = {}) {
     settings.insert(settings.end(),
                     {"objective.over=[]", "light.tolerance=0",
@@ -40,7 +40,7 @@ TEST(GrowingSeason,
     grown.crop.growth->leaves = 11;
     grown.crop.growth->maturity = 1e4;
     grown.crop.growth->lower_death = grown.crop.growth->upper_death = 1e4;
-    // Roots and ears count only where plants grow.
+    // Roots and ears affect only plants that grow.
     grown.crop.growth->root_share = grown.crop.growth->ear_maintenance = 0;
     for (Organ& organ : grown.crop.baseline.organs) organ.senescence = 0;
     Campaign plain = grown;
@@ -50,7 +50,7 @@ TEST(GrowingSeason,
     const auto a = numbers(grown), b = numbers(plain);
     std::size_t compared = 0;
     for (const auto& [name, number] : a) {
-        // Organs are paid when they are built, not in equal parts.
+        // Organs are paid for when they are built, not in equal daily amounts.
         if (name == "carbon_balance_0" || name.starts_with("carbon_loss") ||
             name.starts_with("dry_mass_by") || !b.contains(name))
             continue;
@@ -128,7 +128,7 @@ TEST(GrowingSeason, DryMatterAccountsForAllCarbonThatIsNotRespired) {
     const double growth =
         values.at("gross_assimilation_0") - values.at("respiration_0");
     EXPECT_NEAR(values.at("dry_matter_0"), 119 * .201 * growth, 1e-9);
-    // Structures are part of it.
+    // The carbon of structures is included.
     const auto sum_of = [&](const char* name) {
         double sum = 0;
         for (int i = 0; values.contains(fmt::format("{}_{}", name, i)); ++i)
@@ -137,7 +137,8 @@ TEST(GrowingSeason, DryMatterAccountsForAllCarbonThatIsNotRespired) {
     };
     EXPECT_GT(sum_of("dry_mass_by_organ"), 0.2 * values.at("dry_matter_0"));
     EXPECT_LT(sum_of("dry_mass_by_organ"), 0.6 * values.at("dry_matter_0"));
-    // Young plants lack organs, which count from the stage on that has them.
+    // Young plants lack organs; each organ counts from the stage at which it
+    // appears.
     EXPECT_NEAR(sum_of("assimilation_by_organ"),
                 values.at("gross_assimilation_0"), 1e-9);
     EXPECT_NEAR(
@@ -168,7 +169,7 @@ TEST(GrowingSeason, RootsAndEarsRespireWithoutEffectOnGrossAssimilation) {
         EXPECT_GT(more(*with, "respiration_0"), 0);
         EXPECT_LT(more(*with, "carbon_after_silking_0"), 0);
     }
-    // Only roots cost carbon to build.
+    // Of these organs only roots cost carbon for construction.
     EXPECT_LT(more(roots, "carbon_balance_0"),
               -1.1 * more(roots, "respiration_0"));
     EXPECT_NEAR(more(ears, "carbon_balance_0"), -more(ears, "respiration_0"),
@@ -181,8 +182,8 @@ TEST(GrowingSeason, RootsAndEarsRespireWithoutEffectOnGrossAssimilation) {
     EXPECT_LT(share, 0.3);
 }
 
-//! The carbon that ears respire is that of a mass that is followed by the hour,
-//! filled by light.
+//! The respiration of ears agrees with that of an ear mass integrated hour by
+//! hour from assimilation.
 TEST(GrowingSeason, EarsRespireLikeAMassIntegratedHourByHour) {
     const Campaign campaign = growing();
     const Growth& growth = *campaign.crop.growth;
@@ -205,7 +206,7 @@ TEST(GrowingSeason, EarsRespireLikeAMassIntegratedHourByHour) {
         const double now = time + warmth / 2;
         time += warmth;
         if (now <= silking_time(growth)) continue;
-        // 0.67 kg of dry matter from 1 kg of CH2O.
+        // 1 kg of CH2O yields 0.67 kg of dry matter.
         const double lost = mass * .67 * growth.ear_maintenance *
                             maintenance_factor(growth, now) *
                             std::exp2((*step.temperature - 25) / 10) *
@@ -217,7 +218,8 @@ TEST(GrowingSeason, EarsRespireLikeAMassIntegratedHourByHour) {
     EXPECT_GT(respired, 0.02 * light);
 }
 
-//! Leaves are built and paid once: costs sum to all area that was ever there.
+//! Each leaf is built and paid for once, so that the costs correspond to all
+//! leaf area that ever existed.
 TEST(GrowingSeason, ConstructionOfLeavesIsChargedOnce) {
     const Campaign campaign = growing();
     const Plant plant =
@@ -247,7 +249,7 @@ TEST(GrowingSeason, StripsThatEmergeLaterGainLessCarbon) {
     const auto values = numbers(campaign);
     EXPECT_LT(values.at("carbon_balance_by_component_1"),
               0.8 * values.at("carbon_balance_by_component_0"));
-    // It has not yet earned its stalk.
+    // The component has not yet assimilated the carbon that its stalk costs.
     EXPECT_LT(values.at("carbon_balance_by_component_1"), 0);
     EXPECT_GT(values.at("net_assimilation_by_component_1"), 0);
 }
@@ -292,7 +294,8 @@ TEST(GrowingSeason, LeavesOfEachStageHaveTheCapacityOfTheirAge) {
                           dark_respiration(expected, 30));
             }
         }
-        // At the last stage the crop is older than the plants of the relay.
+        // At the last stage this crop is older than the plants of the relay
+        // crop.
         const Scene last = scene_of(ageing, chosen.stages.back());
         EXPECT_LT(gross_in_full_light(first_leaf(last, 0)),
                   0.99 * gross_in_full_light(first_leaf(last, 1)))
@@ -309,7 +312,8 @@ TEST(GrowingSeason, StagesFollowTheDeclineOfCapacity) {
             values.push_back(each.at);
         return values;
     };
-    //! Largest error of capacity on straight lines between stages.
+    //! Returns the largest error of capacity if it is interpolated linearly
+    //! between stages.
     const auto error = [&](const std::vector<double>& stages) {
         const Growth& growth = *campaign.crop.growth;
         double largest = 0;
@@ -340,7 +344,7 @@ TEST(GrowingSeason, AgeingLowersCarbonButNotLight) {
                      fmt::format("photosynthesis.model=\"{}\"", model)});
         campaign.crop.growth->ageing = {1};
         const auto young = numbers(campaign);
-        // Leaves without any capacity are no error.
+        // Leaves without capacity cause no error.
         campaign.crop.growth->maturity = 400;
         campaign.crop.growth->ageing = {1, 0};
         const auto old = numbers(campaign);
@@ -385,7 +389,7 @@ TEST(GrowingSeason, AStageOfPlantsThatGrowIsAnError) {
     EXPECT_EQ(parse_campaign(hybrid.resolved, "again.toml").spec.plant.stage,
               1.5);
     EXPECT_TRUE(hybrid.warnings.empty());
-    // Leaves that do not age have the same capacity at all stages.
+    // The capacity of leaves that do not age is constant over all stages.
     const Campaign line = read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
                                         {"plant.stage=1.5"});
     ASSERT_EQ(line.warnings.size(), 1u);
@@ -411,7 +415,8 @@ TEST(GrowingSeason, AClimateThatPlantsCannotGrowInIsAnError) {
                                       std::string::npos;
                            }),
               campaign.warnings.end());
-    // Photons are those of the global light here, and wind is far fewer.
+    // Here the numbers of photons equal those of global light, and the values
+    // of wind are far smaller.
     for (const auto& [column, warnings] :
          {std::pair("ppfd_umol", 1u), std::pair("wind_m_s", 2u)}) {
         std::string text = campaign.source;
@@ -426,7 +431,7 @@ TEST(GrowingSeason, AClimateThatPlantsCannotGrowInIsAnError) {
             warnings + growing().warnings.size() - 1)
             << column;
     }
-    // The resolved campaign is the same.
+    // Reading the resolved campaign yields the same resolved text.
     EXPECT_EQ(parse_campaign(campaign.resolved, "resolved.toml").resolved,
               campaign.resolved);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Campaigns of several components and wavebands.
+// Tests campaigns of several components and wavebands.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -50,7 +50,7 @@ TEST_F(Mixtures, PlantsDeviateFromTheirPositionsInAMixture) {
             EXPECT_NEAR(drawn[c][p].y, lattice[c][p].y, .06 + 1e-9);
         }
     }
-    // Deviations of components are independent.
+    // Components have independent deviations.
     EXPECT_NE(drawn[0][0].y - lattice[0][0].y, drawn[1][0].y - lattice[1][0].y);
 }
 
@@ -68,9 +68,9 @@ TEST_F(Mixtures, PlantByPlantOfOneCropEqualThatCrop) {
                     .02 * number(name, one).mean);
 }
 
-//! Soybean next to maize gets more light in strips of two rows of each than in
-//! alternate rows, and maize less. In a field of PMC6391028 soybean had more
-//! than twice as much at its first flower.
+//! Soybean next to maize gets more light in strips of two rows of each crop
+//! than in alternate rows, and maize less. In the field experiment of
+//! PMC6391028 soybean got more than twice as much at first flowering.
 TEST_F(Mixtures, SoybeanGetsMoreLightInStripsThanInAlternateRows) {
     const auto light = [&](const std::string& rows, const std::string& places,
                            const std::string& pattern) {
@@ -117,8 +117,8 @@ TEST_F(Mixtures, PartsOfAnObjectiveAreReportedByRandomisation) {
     }
 }
 
-//! Genes of a component change its plants alone, and objectives of single
-//! components sum to that of all.
+//! The genes of a component affect only its plants, and objectives of single
+//! components sum to the objective of all.
 TEST_F(Mixtures, OfOptimisedCropsReportEachComponent) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_CAMPAIGNS "/intercrop.toml",
@@ -154,7 +154,8 @@ TEST_F(Mixtures, OfOptimisedCropsReportEachComponent) {
     EXPECT_THROW(grow(campaign, genome), Error);
 }
 
-//! The yields of crops alone are uncertain too, but all rows share them.
+//! The yields of the sole crops are also uncertain, but all rows share this
+//! error.
 TEST_F(Mixtures, HaveALandEquivalentRatio) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);
@@ -181,8 +182,8 @@ TEST_F(Mixtures, HaveALandEquivalentRatio) {
     EXPECT_EQ(schema.objectives.front().unit, "1");
 }
 
-//! The leaf area that is reported for a crop is that of its plants in the
-//! evaluated field.
+//! The leaf area reported for a crop is that of its plants in the evaluated
+//! field.
 TEST_F(Mixtures, HaveTheLeafAreaOfTheirLines) {
     const CanopyRequest request = requested({weed});
     const CanopyReport report = evaluate(request, device);
@@ -193,8 +194,8 @@ TEST_F(Mixtures, HaveTheLeafAreaOfTheirLines) {
     }
 }
 
-//! Components sum to the whole in each scenario and in the mean of scenarios,
-//! whatever the sense.
+//! Components sum to the total in each scenario and in the mean over scenarios,
+//! for maximised and minimised objectives.
 TEST_F(Mixtures, WeightObjectivesInAllScenarios) {
     const auto outcome = [&](const std::string& weights) {
         const Campaign campaign = read_campaign(
@@ -230,7 +231,7 @@ TEST_F(Mixtures, WeightObjectivesInAllScenarios) {
         expect_sums(
             [](const Outcome& x, std::size_t i) { return x.randomisations[i]; },
             r);
-    // Two objectives in two scenarios stand last.
+    // Two objectives in two scenarios are the last quantities.
     for (std::size_t i = whole.quantities.size() - 4;
          i < whole.quantities.size(); ++i)
         expect_sums([](const Outcome& x,
@@ -241,7 +242,8 @@ TEST_F(Mixtures, WeightObjectivesInAllScenarios) {
         1, 1e-6);
 }
 
-//! Plants of one kind gain nothing over each other; shaded ones lose.
+//! Components of equal plants have no advantage over each other; shaded ones
+//! have a disadvantage.
 TEST_F(Mixtures, ReportTheRelativeAdvantageOfOneComponent) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);
@@ -257,7 +259,8 @@ TEST_F(Mixtures, ReportTheRelativeAdvantageOfOneComponent) {
     EXPECT_GT(over_cowpea.mean, 1 + 4 * over_cowpea.standard_error);
 }
 
-//! Neighbours that lose carbon are not better off than a plant that gains.
+//! A plant with a carbon gain has an advantage over neighbours with a carbon
+//! loss.
 TEST_F(Mixtures, ReportAGainOverPlantsWithANegativeBalance) {
     CanopyReport report = evaluated({weed});
     AssimilationReport& assimilation = *report.assimilation;
@@ -272,12 +275,14 @@ TEST_F(Mixtures, ReportAGainOverPlantsWithANegativeBalance) {
     ASSERT_LT(other, 0);
     const Estimate gain = number("invasion", report);
     EXPECT_NEAR(gain.mean, (maize - other) / -other, .02);
-    // A plant that loses twice as much as its neighbours does not invade.
+    // A plant that loses twice as much carbon as its neighbours does not
+    // invade.
     assimilation.losses.front().in_light += maize - 2 * other;
     EXPECT_NEAR(number("invasion", report).mean, -1, .02);
 }
 
-//! A gain over nothing would let every row of a history fail.
+//! If the divisor of a gain is zero, no gain is reported; otherwise every row
+//! of a history would fail.
 TEST_F(Mixtures, ReportNoGainOverPlantsWithoutCarbon) {
     CanopyReport report = evaluated({weed});
     report.assimilation.reset();
@@ -290,7 +295,7 @@ TEST_F(Mixtures, ReportNoGainOverPlantsWithoutCarbon) {
     EXPECT_EQ(number("invasion", report).standard_error, 0);
 }
 
-//! Plants of the field may be alike while those of a component differ.
+//! Plants of the main crop may be uniform while those of a component vary.
 TEST_F(Mixtures, VaryByComponent) {
     const std::string crop = "name=\"weed\", crop=\"crops/maize.toml\", ";
     const CanopyRequest request =
@@ -352,14 +357,15 @@ TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
     EXPECT_EQ(measured.axis("band").size(), 2u);
     EXPECT_EQ(measured.axis("leaf").size(), 20u);
     const std::size_t light = measured.offset("absorbed_light");
-    // Axes are components first, then bands.
+    // The order of axes is components, then bands.
     double sum = 0;
     for (std::size_t i = 0; i < 4; ++i) sum += numbers[light + i].mean;
     EXPECT_NEAR(sum / number("absorbed_shortwave", report).mean, 1, 1e-12);
     EXPECT_NEAR((numbers[light].mean + numbers[light + 2].mean) /
                     number("absorbed_par", report).mean,
                 1, 1e-12);
-    // The light of each component at all instants makes up its day.
+    // The light absorbed by each component sums over all instants to its daily
+    // light.
     const LightSeries series = light_of(campaign, chosen);
     const std::size_t hours = measured.offset("absorbed_light_by_hour");
     for (std::size_t i = 0; i < 4; ++i) {
@@ -384,7 +390,7 @@ TEST_F(Mixtures, NearInfraredDoesNotChangePar) {
     EXPECT_NEAR(beyond.light.day.incident / par.par().light.day.incident,
                 .55 / .45, 1e-9);
     EXPECT_LT(beyond.light.balance_error, 1e-12);
-    // Leaves absorb a sixth of the light that hits them, and scatter the rest.
+    // Leaves absorb a sixth of the light that hits them and scatter the rest.
     const double absorbed =
         beyond.light.day.leaves.mean / beyond.light.day.incident;
     EXPECT_GT(absorbed, .2);

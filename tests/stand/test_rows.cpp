@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of fields with several components.
+// Tests the rows of fields with several components.
 #include <cmath>
 
 #include "mixtures.hpp"
@@ -25,7 +25,8 @@ TEST_F(RowsOfMixtures, StripsHaveTheStatedRowsAndPlants) {
     EXPECT_EQ(draw_places(scene, {})[1].front().x, scene.cell.rows[2]);
 }
 
-//! Expects that a quantity of rows sums to that of components, over all ground.
+//! Expects that a quantity, summed over rows and weighted by their ground,
+//! equals its sum over components.
 void expect_rows_sum(const CanopyReport& report, const std::string& figure,
                      const std::vector<Randomised>& components) {
     const auto rows = measure_profile(figure + "_by_row", report);
@@ -54,8 +55,8 @@ const std::vector<std::string> strip{
     "component=[{name=\"soybean\", crop=\"crops/soybean.toml\", plants=6, "
     "jitter=180, rows=[3, 4, 5]}]"};
 
-//! A soybean row between other soybean rows is shaded least by maize; both rows
-//! of maize have soybean on one side.
+//! A soybean row between two soybean rows is shaded least by maize; each maize
+//! row has soybean on one side.
 TEST_F(RowsOfMixtures, AreReportedPerNearestGround) {
     const CanopyReport report = evaluated(strip);
     ASSERT_EQ(report.rows.size(), 5u);
@@ -97,7 +98,7 @@ TEST_F(RowsOfMixtures, AreReportedWithoutAssimilationToo) {
     EXPECT_EQ(measure_profile("absorbed_light_by_row", without).size(), 10u);
 }
 
-//! Rows of one kind of plant, each a component or not, are alike.
+//! Rows of equal plants give equal results, even if each row is a component.
 TEST_F(RowsOfMixtures, RowsOfOneCropAssimilateTheSame) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);

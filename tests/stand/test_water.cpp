@@ -10,7 +10,8 @@
 namespace ideotype {
 namespace {
 
-//! Returns a hot week at Bondville with maize that assimilates by Collatz.
+//! Returns a campaign of a hot week at Bondville, with maize that assimilates
+//! according to Collatz.
 Campaign week(const std::string& water,
               std::vector<std::string> settings = {}) {
     settings.insert(settings.begin(),
@@ -40,7 +41,7 @@ TEST(Water, LeavesAtAirTemperatureAssimilateAsWithoutWaterBitForBit) {
     EXPECT_EQ(with.at("leaf_warming_0"), 0);
 }
 
-//! Leaves without enzymes only respire, at their own temperature in light.
+//! Leaves without enzymes only respire, at their own temperature.
 TEST(Water, GrossAssimilationIsBeforeRespiration) {
     const Campaign idle = week(balance, {"photosynthesis.vmax=0"});
     const Outcome outcome = season_of(idle);
@@ -53,11 +54,11 @@ TEST(Water, GrossAssimilationIsBeforeRespiration) {
                    net = number("net_assimilation"),
                    balance_of_carbon = number("carbon_balance"),
                    respiration = number("respiration");
-    // Temperatures of solved leaves are known to some 0.003 K.
+    // The temperatures of solved points are accurate to about 0.003 K.
     EXPECT_LT(std::abs(gross.mean), 1e-4 * std::abs(net.mean));
     EXPECT_LT(net.mean, 0);
     EXPECT_GT(respiration.standard_error, 0);
-    // Respiration in the dark is that at the temperature of the air.
+    // Dark respiration is computed at air temperature.
     EXPECT_GT(respiration.mean, -net.mean);
     EXPECT_LT(balance_of_carbon.mean, -respiration.mean);
     const auto as_air = numbers(
@@ -87,7 +88,7 @@ TEST(Water, PartsOfGrossAssimilationSumUp) {
                 values.at("respiration_0") - at_night, 1e-9);
 }
 
-//! The ranges are those of maize in the field in a hot week.
+//! The tested ranges are those of maize in the field during a hot week.
 TEST(Water, TranspirationOfMaizeIsRealistic) {
     const auto values = numbers(week(balance));
     EXPECT_GT(values.at("transpiration_0"), 3);
@@ -132,10 +133,10 @@ TEST(Water, UseFollowsTheAirAndTheStomata) {
     const auto usual = numbers(week(balance));
     EXPECT_GT(open.at("transpiration_0"), usual.at("transpiration_0"));
     EXPECT_LT(open.at("leaf_warming_0"), usual.at("leaf_warming_0"));
-    // The air of a canopy becomes moist and holds transpiration back.
+    // The air within the canopy becomes moist, which reduces transpiration.
     const auto above = numbers(week(balance + "canopy_air = false\n"));
     EXPECT_GT(above.at("transpiration_0"), usual.at("transpiration_0"));
-    // Leaves with nearly closed stomata are hot.
+    // Leaves become hot if their stomata are nearly closed.
     const auto closed =
         numbers(week(balance + "slope = 0.01\nintercept = 0.001\n"));
     EXPECT_GT(closed.at("hot_hours_0"), 5);

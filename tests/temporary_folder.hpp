@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! A new folder that is removed with all of its files.
+//! A new folder that is removed together with its files.
 class Folder {
   public:
     Folder() {
@@ -29,7 +29,7 @@ class Folder {
     std::filesystem::path path_;
 };
 
-//! Returns a path in a folder of this process.
+//! Returns a path in a folder that belongs to this process.
 inline std::string temporary_file(const std::string& name) {
     static const Folder folder;
     return folder / name;

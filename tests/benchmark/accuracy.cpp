@@ -16,12 +16,12 @@ namespace ideotype {
 
 namespace {
 
-//! Time of the processor that this process has used [s].
+//! Returns the processor time that this process has used [s].
 double processor_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-//! A stand with its light and its surfaces.
+//! A stand with its light and the surfaces of its plants.
 struct Setting {
     const char* name;
     bool has_sky;
@@ -36,8 +36,8 @@ constexpr Setting settings[] = {
     {"near infrared", true, {.42, .42}, .2, 1e-3},
 };
 
-//! Returns the campaign of version 0.1, so that figures compare: 14 instants of
-//! a clear day, and a field of as many rows as plants in a row.
+//! Returns a campaign as version 0.1 had it, so that results can be compared:
+//! 14 instants of a clear day, and a field with as many rows as plants per row.
 Campaign ames(int plants) {
     Campaign campaign = BenchStand::ames();
     campaign.crop.baseline =
@@ -60,13 +60,15 @@ void change(BenchStand& stand, const Setting& setting) {
     }
 }
 
-//! Relative standard errors of the leaves' light: the part by the beams and
-//! skies that meet leaves, and the part by scattered light.
+//! Relative standard errors of the light absorbed by leaves: the part due to
+//! beams and skies that hit leaves directly, and the part due to scattered
+//! light.
 struct Origins {
     double beams, skies, scattered;
 };
 
-//! Returns the errors with the workload that a tolerance takes.
+//! Returns the errors of an evaluation with the workload that a tolerance
+//! requires.
 Origins origins_of(const BenchStand& stand, const Accuracy& accuracy) {
     const Field field = stand.field(stand.baseline);
     const RayScene scene = stand.scene(field);
@@ -156,7 +158,7 @@ void measure_all(const std::vector<int>& randomisations, double finest) {
 
 }  // namespace ideotype
 
-//! Arguments: the finest tolerance [%] and numbers of randomisations.
+//! Arguments: the smallest tolerance [%], then numbers of randomisations.
 int main(int argc, char** argv) {
     std::vector<int> randomisations;
     for (int i = 2; i < argc; ++i) randomisations.push_back(std::atoi(argv[i]));

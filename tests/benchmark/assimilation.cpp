@@ -27,8 +27,8 @@ namespace ideotype {
 
 namespace {
 
-//! The stand of a case of campaigns/NAME.toml, with its baseline or another
-//! plant.
+//! The stand of a case of campaigns/NAME.toml with one plant, by default its
+//! baseline.
 struct Stands {
     const char* name;
     const char* campaign = "ames";
@@ -70,7 +70,7 @@ class Canopy {
         leaves_ = leaf_groups(scene(), component.mesh.groups, index);
     }
 
-    //! @param has_pieces whether the light is told piece by piece
+    //! @param has_pieces whether light is resolved by pieces of leaves
     std::vector<Tally> light(double tolerance, std::uint64_t seed,
                              bool has_pieces = true) const {
         return simulate_to_tolerance(
@@ -80,7 +80,7 @@ class Canopy {
             .tallies.front();
     }
 
-    //! Returns the gross assimilation of a day [mol m-2].
+    //! Returns the daily gross assimilation, computed from pieces [mol m-2].
     Estimate gross(const std::vector<Tally>& tallies) const {
         std::vector<double> values;
         const FluxTallies fluxes = assimilate(tallies, pieces_, lit(leaves_));
@@ -90,7 +90,7 @@ class Canopy {
                                  : Estimate{values.front(), 0};
     }
 
-    //! Returns the gross assimilation of a day without pieces [mol m-2].
+    //! Returns the daily gross assimilation, computed without pieces [mol m-2].
     Estimate exact(double tolerance) const {
         std::vector<LeafGroup> of_pieces;
         for (const std::uint32_t group : pieces_.group)
@@ -104,8 +104,8 @@ class Canopy {
         return estimate(values);
     }
 
-    //! Returns the assimilation of the mean light of all tallies, which still
-    //! has the bias by the noise of that light.
+    //! Returns the assimilation computed from the mean light of all tallies. It
+    //! is still biased by the noise of this light.
     double plain(const std::vector<Tally>& tallies) const {
         Tally mean = tallies.front();
         for (LeafLight& light : mean.leaf_light) light = {};
@@ -168,7 +168,7 @@ const Stands stands[] = {
     {"ames.toml, elite", "ames", 0, "plants/elite", {}, {}},
     {"bondville.toml", "bondville"}};
 
-//! Returns the processor time of this program [ms].
+//! Returns the processor time that this program has used [ms].
 double processor_time() {
     return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -237,8 +237,8 @@ void print_pieces() {
         }
 }
 
-//! Evaluates a campaign's baseline, in turn for light alone and for gross
-//! assimilation, and measures the cost of both.
+//! Evaluates the baseline of a campaign alternately for light alone and for
+//! gross assimilation, and compares the costs.
 class Costs {
   public:
     Costs(const BenchStand& stand, double tolerance, int repeats) {
@@ -253,8 +253,8 @@ class Costs {
         }
     }
 
-    //! Returns the ratio of times, and the ratio for equal errors, if errors
-    //! fall with the root of time.
+    //! Returns the ratio of times, and the ratio at equal errors, for errors
+    //! that are inversely proportional to the square root of time.
     std::string line() const {
         const double ratio = time(assimilation_) / time(light_);
         return fmt::format(

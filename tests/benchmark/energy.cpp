@@ -6,7 +6,7 @@
 namespace ideotype {
 namespace {
 
-//! Measures how many leaf points are solved per second, from dark to full
+//! Measures the number of leaf points solved per second, from darkness to full
 //! light.
 template <auto balance>
 void leaf_points(benchmark::State& state) {

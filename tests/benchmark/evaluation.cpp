@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Measures the parts of an evaluation, whole evaluations to a tolerance, and a
+//! Measures the steps of an evaluation, whole evaluations to a tolerance, and a
 //! generation.
 #include <cmath>
 
@@ -54,7 +54,7 @@ CanopyReport evaluate(const BenchStand& stand, const Accuracy& accuracy,
 }
 
 //! Returns the fewest paths, in eight randomisations, that meet a tolerance on
-//! average of some draws: errors fall with paths to a power near -0.55.
+//! average over several draws. Errors are proportional to paths^-0.55.
 int paths_for(const BenchStand& stand, double tolerance) {
     constexpr int trial = 4096;
     double squares = 0;
@@ -69,7 +69,8 @@ int paths_for(const BenchStand& stand, double tolerance) {
                 trial * std::pow(std::sqrt(squares) / tolerance, 1 / slope)));
 }
 
-//! Measures evaluations to relative errors of 10^-2 to 10^-4 in leaves' light.
+//! Measures evaluations in which the relative error of the light absorbed by
+//! leaves is 10^-2 to 10^-4.
 void evaluation(benchmark::State& state) {
     const BenchStand stand(BenchStand::ames());
     const double tolerance = std::pow(10, -static_cast<double>(state.range(0)));
@@ -84,7 +85,7 @@ BENCHMARK(evaluation)
     ->ArgName("tolerance_1e-")
     ->Unit(benchmark::kMillisecond);
 
-//! Evaluates a population as a worker does: with the campaign's accuracy.
+//! Evaluates a population with the accuracy of the campaign, as a worker does.
 void generation(benchmark::State& state) {
     const Campaign campaign = BenchStand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
@@ -101,7 +102,7 @@ void generation(benchmark::State& state) {
 }
 BENCHMARK(generation)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-//! Evaluates sixteen fields of one canopy by a number of threads.
+//! Evaluates sixteen fields of one canopy with several threads.
 void fields_beside_each_other(benchmark::State& state) {
     BenchStand stand(BenchStand::ames());
     stand.request.accuracy = {4096, 64, 0, 16};
@@ -115,8 +116,8 @@ BENCHMARK(fields_beside_each_other)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-//! Measures the peak memory of a process that does nothing but evaluate [MiB];
-//! run it alone, as table.sh does.
+//! Measures the peak memory of a process that only evaluates [MiB]. Must run
+//! alone, as in table.sh.
 void memory(benchmark::State& state) {
     const Campaign campaign = BenchStand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());

@@ -44,13 +44,13 @@ from numpy.typing import NDArray
 import ideotype
 
 CAMPAIGNS = Path(__file__).resolve().parents[2] / "campaigns"
-#: Campaigns that have the light of each objective.
+#: The campaign that provides the light of each objective.
 OBJECTIVES = {
     "absorbed_par": "ames",
     "net_assimilation": "ames",
     "carbon_balance": "bondville",
 }
-#: Cells: rows, plants of each, whether they differ, and fields of an
+#: Cells by name: rows, plants per row, whether plants vary, and fields per
 #: evaluation.
 CELLS: dict[str, tuple[int, int, bool, int]] = {
     "4 x 4, alike": (4, 4, False, 1),
@@ -68,7 +68,9 @@ Numbers = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Noise:
-    """Variances relative to the square of the mean, and seconds."""
+    """Variances relative to the squared mean, and the time of an evaluation
+    [s].
+    """
 
     light_of_row: float
     row: float
@@ -99,8 +101,9 @@ def stand(objective: str, cell: str, tolerance: float) -> ideotype.Stand:
 
 
 def plants_around(where: ideotype.Stand, count: int) -> Numbers:
-    """Returns the baseline and plants of a generation around it [plants, free
-    genes]."""
+    """Returns the baseline and the plants of a generation around it [plants,
+    free genes].
+    """
     lower, upper = where.bounds
     random = np.random.default_rng(1)
     steps = STEP * random.standard_normal((count, len(lower)))
@@ -109,7 +112,7 @@ def plants_around(where: ideotype.Stand, count: int) -> Numbers:
 
 
 def values(where: ideotype.Stand, plants: Numbers, seed: int) -> Numbers:
-    """Returns values of each randomisation [plants, randomisations]."""
+    """Returns the objective of each randomisation [plants, randomisations]."""
     evaluated = where.evaluate(plants, [], seed=seed, threads=1)
     if any(evaluated.message.values):
         raise ideotype.Error(evaluated.message.values.max())
@@ -117,7 +120,7 @@ def values(where: ideotype.Stand, plants: Numbers, seed: int) -> Numbers:
 
 
 def noise(draws: Numbers, seconds: float) -> Noise:
-    """Returns the noise of draws, [seeds, plants, randomisations]."""
+    """Returns the noise of `draws` [seeds, plants, randomisations]."""
     seeds, plants, count = draws.shape
     rows = draws.mean(2)
     scale = rows.mean() ** 2
@@ -126,7 +129,8 @@ def noise(draws: Numbers, seconds: float) -> Noise:
         """Returns the variance of a mean over randomisations."""
         return float(parts.var(2, ddof=1).mean() / count)
 
-    # The mean over plants is the common part of the noise in a field.
+    # Subtracting the mean over plants removes the noise that all plants of a
+    # field share.
     apart = draws - draws.mean(1, keepdims=True)
     residuals = rows - rows.mean(0)
     residuals -= residuals.mean(1, keepdims=True)
@@ -147,8 +151,8 @@ def measure(objective: str, plants: int, seeds: int) -> dict[Any, Noise]:
     genomes = plants_around(stands[keys[0]], plants)
     draws: dict[Any, list[Numbers]] = {key: [] for key in keys}
     spent: dict[Any, list[float]] = {key: [] for key in keys}
-    # Fields take turns, so that other work on the machine slows all of them
-    # alike.
+    # Seeds form the outer loop, so that other work on the machine slows all
+    # fields equally.
     for seed in range(1, seeds + 1):
         for key in keys:
             began = time.process_time()
@@ -161,24 +165,27 @@ def measure(objective: str, plants: int, seeds: int) -> dict[Any, Noise]:
 
 
 def parts(light: float, whole: float) -> str:
-    """Tells standard deviations in per cent by their origin."""
+    """Formats standard deviations by origin [%]."""
     field = max(whole - light, 0.0)
     return " | ".join(f"{100 * np.sqrt(x):.2f}" for x in (light, field, whole))
 
 
 def of_field(fine: Noise) -> float:
-    """Returns the variance of a difference that more paths of light cannot
-    reduce."""
+    """Returns the variance between fields of a difference between plants,
+    which more light paths cannot reduce.
+    """
     return max(fine.difference - fine.light_of_difference, 0.0)
 
 
 def seconds_for(variance: float, rough: Noise, fine: Noise) -> float:
-    """Returns the time of an evaluation that has this variance of a
-    difference."""
+    """Returns the time of an evaluation in which a difference between plants
+    has the given variance.
+    """
     left = variance - of_field(fine)
     if left <= 0:
         return np.inf
-    # The factor by which the light of the first tolerance has to grow.
+    # The factor by which the number of light paths of the first tolerance must
+    # increase.
     more = rough.light_of_difference / left
     finer = (TOLERANCES[0] / TOLERANCES[1]) ** 2
     slope = (fine.seconds - rough.seconds) / (finer - 1)

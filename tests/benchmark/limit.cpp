@@ -15,7 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! The faces of the field, and those of its neighbours that reach into it.
+//! The faces of the cell, and those faces of neighbouring cells that reach into
+//! it.
 class RawScene {
   public:
     RawScene(const Field& field, RTCSceneFlags flags, RTCBuildQuality quality)
@@ -74,7 +75,8 @@ class RawScene {
     std::vector<std::array<float, 4>> corners_;
 };
 
-//! Traces rays of one sun, in tiles of 4 x 4, through a square of the top.
+//! Traces parallel sunrays, in tiles of 4 x 4, that enter through a square at
+//! the top.
 struct Rays {
     static constexpr int side = 512;
 
@@ -96,7 +98,7 @@ struct Rays {
     std::vector<std::array<float, 2>> origins;
 };
 
-//! Puts the ray with this number into a lane of a packet.
+//! Writes the ray with the given number into a lane of a packet.
 template <class RayHit>
 void set_lane(RayHit& packet, std::size_t lane, const Rays& rays,
               std::size_t number) {
@@ -172,8 +174,8 @@ void raw_packets_16(benchmark::State& state) {
 }
 BENCHMARK(raw_packets_16)->Unit(benchmark::kMillisecond);
 
-//! The order of rays: in tiles, so that consecutive rays are neighbours in
-//! space.
+//! The order in which rays are traced. In tiles, consecutive rays are
+//! neighbours in space.
 enum class Order { tiles, shuffled };
 
 void trace_single(benchmark::State& state, RTCSceneFlags flags,
@@ -182,7 +184,8 @@ void trace_single(benchmark::State& state, RTCSceneFlags flags,
     const Field field = stand.field(stand.baseline);
     const RawScene raw(field, flags, quality);
     const Rays rays(field);
-    // The stride is coprime to the number of rays: each ray is visited once.
+    // The stride is coprime to the number of rays, so that each ray is visited
+    // exactly once.
     const std::size_t stride = order == Order::tiles ? 1 : 100003;
     for (auto _ : state)
         for (std::size_t i = 0; i < rays.origins.size(); ++i) {

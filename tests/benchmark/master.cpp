@@ -17,7 +17,7 @@ namespace ideotype {
 
 namespace {
 
-//! Processor time of this process since the last call [s].
+//! Measures the processor time since its last call [s].
 class Stopwatch {
   public:
     double lap() {

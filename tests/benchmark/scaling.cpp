@@ -30,7 +30,8 @@ void plants(benchmark::State& state) {
 BENCHMARK(plants)->Arg(1)->Arg(3)->Arg(10)->Arg(32)->Arg(100)->Unit(
     benchmark::kMillisecond);
 
-//! The leaves of the baseline several times over, each copy a little turned.
+//! A plant with several copies of the baseline's leaves, each copy at another
+//! azimuth.
 void leaves(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
     std::vector<Leaf>& leaves = campaign.crop.baseline.leaves;
@@ -47,7 +48,8 @@ void leaves(benchmark::State& state) {
 BENCHMARK(leaves)->RangeMultiplier(2)->Range(5, 80)->Unit(
     benchmark::kMillisecond);
 
-//! The number of cells along a leaf; each cell has two faces.
+//! The argument is the number of cells along a leaf; each cell consists of two
+//! faces.
 void faces(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
     campaign.spec.plant.tessellation.cells_along =
@@ -57,7 +59,8 @@ void faces(benchmark::State& state) {
 BENCHMARK(faces)->RangeMultiplier(2)->Range(4, 64)->Unit(
     benchmark::kMillisecond);
 
-//! The number of instants of a day, which share the same number of paths.
+//! The argument is the number of instants of the day; they share a fixed number
+//! of paths.
 void hours(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
     campaign.spec.days[0].value.step_minutes =
@@ -67,8 +70,8 @@ void hours(benchmark::State& state) {
 BENCHMARK(hours)->RangeMultiplier(2)->Range(6, 208)->Unit(
     benchmark::kMillisecond);
 
-//! The whole work of a worker for a campaign of several sites: the light of
-//! each site, and one evaluation in it.
+//! The work of a worker in a campaign of several sites: preparing the light of
+//! each site, and one evaluation at each.
 void sites(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
     campaign.spec.replicates = 1;

@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! The baseline at Ames in the light of its day; settings may be changed before
-//! it is evaluated.
+//! The baseline at Ames under the light of its day. Settings may be changed
+//! before the evaluation.
 struct BenchStand {
     //! campaigns/ames.toml
     static Campaign ames();
@@ -25,7 +25,7 @@ struct BenchStand {
     Device device;
 };
 
-//! Returns the relative standard error of the leaves' light.
+//! Returns the relative standard error of the light absorbed by leaves.
 double relative_error(const CanopyReport& report);
 
 }  // namespace ideotype

@@ -44,7 +44,7 @@ def growing(fields: int) -> list[str]:
 
 ALIKE = ["field.jitter=0"]
 CARBON_BALANCE = 'objective.maximise="carbon_balance"'
-# The set-ups by name: campaign, settings, tolerance, quantities.
+# The set-ups by name: campaign, settings, tolerance and quantities.
 SETUPS = {
     "30 x 6 inches": ("ames_quick", ALIKE, 0.01, LIGHT),
     "2 x 2 m": ("ames_quick", [*ALIKE, *apart(2, 2)], 0.01, LIGHT),

@@ -20,8 +20,8 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
     PRTE_MCA_hwloc_default_binding_policy=none
 TIMEFORMAT='%R %U %S'
 
-# Runs $2..., and prints evaluations per second from the log, and wall and processor
-# time [s] of the whole command.
+# Runs the command $2... and prints its evaluations per second, from the log,
+# and the wall and processor time of the whole command [s].
 measure() {
     local rate seconds
     rm -rf "$folder/out"

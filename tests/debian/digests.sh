@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# digests.sh IDEOTYPE: digests of results, to compare the bits of two builds on
-# one machine: all figures of an evaluation, and all rows of a short run.
+# digests.sh IDEOTYPE: prints digests of all results of an evaluation and of all
+# rows of a short run, to compare two builds on one machine bit by bit.
 set -euo pipefail
 ideotype=$(readlink -f "$1")
 campaigns=$(readlink -f "$(dirname "$0")/../../campaigns")

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Runs inside of the new root of run.sh: a command, or both of README.md, then
-# versions, times and digests of results to compare between two Debians.
+# Runs inside the new root of run.sh: a given command, or both commands of
+# README.md, followed by versions, times and digests of results for a comparison
+# between two Debian releases.
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive
 apt-get -qq update

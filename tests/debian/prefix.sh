@@ -20,7 +20,7 @@ if [ "$(id -u)" -eq 0 ]; then
     apt-get -qq install -y --download-only --no-install-recommends \
         -o Dir::Cache::archives=/tmp/debs "${packages[@]}"
     for package in /tmp/debs/*.deb; do dpkg -x "$package" /opt/prefix; done
-    # Links that packages make when they are installed.
+    # Links that the packages would create on installation.
     for name in mpicxx mpirun; do ln -s $name.openmpi $prefix/bin/$name; done
     ln -s $prefix/include/hdf5/openmpi $hdf5/include
     ln -s "$libraries"/hdf5/openmpi/*.so $hdf5/lib
@@ -29,7 +29,8 @@ if [ "$(id -u)" -eq 0 ]; then
         env HOME=$work "$0"
 fi
 
-# As modules of a cluster set them: Debian's libraries have no separate paths.
+# These variables are normally set by the modules of a cluster, because Debian's
+# libraries have no separate paths.
 export PATH=$prefix/bin:$PATH OPAL_PREFIX=$prefix
 export LD_LIBRARY_PATH=$libraries:/opt/prefix/lib/$machine
 export CPATH=$prefix/include/$machine

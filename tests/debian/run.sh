@@ -31,7 +31,7 @@ mirror_of() {
         'Origin: Debian' "Label: $1" | sed -n 1p
 }
 
-# The mark tells a whole root from one whose making was interrupted.
+# This mark distinguishes a complete root from one left by an interruption.
 if [ ! -e "$root/etc/built" ]; then
     [ ! -e "$root" ] || { echo "$root is not a whole root; remove it" >&2; exit 2; }
     echo "building the root in $root"
@@ -44,12 +44,14 @@ if [ ! -e "$root/etc/built" ]; then
         security=$(mirror_of Debian-Security)
         [ -z "$security" ] || echo "deb $security $suite-security main"
     } >"$root/etc/apt/sources.list"
-    # Packages need not survive a power failure in the middle of their installation.
+    # Synchronous writes are not needed: a package may be lost if the power
+    # fails during its installation.
     echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
     touch "$root/etc/built"
 fi
 
-# The network is that of this machine: names, certificates, and pip's settings.
+# The new root uses the network settings of this machine: names, certificates
+# and the configuration of pip.
 for file in /etc/resolv.conf /etc/hosts /etc/pip.conf \
     /etc/ssl/certs/ca-certificates.crt; do
     [ ! -e "$file" ] || cp -L "$file" "$root$file"
@@ -71,7 +73,7 @@ cp "$here/inside.sh" "$root/srv/inside.sh"
 exec unshare --mount --pid --fork --kill-child --propagation private \
     bash -euo pipefail -c '
         root=$1
-        mount --bind "$root" "$root"  # .ci/wheel asks for a mount at /
+        mount --bind "$root" "$root"  # .ci/wheel expects a mount at /
         mount -t proc proc "$root/proc"
         # Packages must not change settings of this kernel.
         mount --bind "$root/proc/sys" "$root/proc/sys"

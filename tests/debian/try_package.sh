@@ -20,7 +20,7 @@ if [ "$(id -u)" -eq 0 ]; then
     done
     grep PRETTY_NAME /etc/os-release
     size=$(du -sm --exclude=/proc --exclude=/sys --exclude=/dev / | cut -f 1)
-    # Recommended packages are installed, as apt does by default.
+    # Recommended packages are installed too, as apt does by default.
     time apt-get -qq install -y "$packages"/ideotype_*.deb >/dev/null
     echo "with its dependencies it takes $(($(du -sm --exclude=/proc \
         --exclude=/sys --exclude=/dev / | cut -f 1) - size)) MB"
@@ -31,7 +31,7 @@ if [ "$(id -u)" -eq 0 ]; then
         "$packages")
     rm -r "$work"
 
-    # The library serves a program outside of the project.
+    # A program outside the project links the library.
     apt-get -qq install -y --no-install-recommends g++ cmake ninja-build \
         "$packages"/libideotype-dev_*.deb >/dev/null
     cmake -S analysis/examples -B "$work" -G Ninja >/dev/null

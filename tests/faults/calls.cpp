@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands before the calls of the C and C++ libraries, if LD_PRELOAD names the
-// library that this is part of, and lets those fail that plan.cpp chooses.
+// Replaces functions of the C and C++ libraries if LD_PRELOAD names this
+// library. Calls fail as plan.cpp decides.
 #include <algorithm>
 #include <cerrno>
 #include <cstdarg>
@@ -25,7 +25,8 @@ using faults::next_of_file;
 
 namespace {
 
-//! Returns the function of this name that the function of this file hides.
+//! Returns the original function of this name, which the function in this file
+//! replaces.
 template <typename Function>
 Function* hidden(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
@@ -35,7 +36,8 @@ std::size_t half(std::size_t size) {
     return std::max<std::size_t>(size / 2, std::min<std::size_t>(size, 1));
 }
 
-//! Transfers bytes by a call, or fails, or transfers half of the bytes.
+//! Calls a function that transfers bytes; as planned, the call fails or
+//! transfers only half of the bytes.
 template <typename Call>
 ssize_t transfer(Kind kind, int file, std::size_t size, Call call) {
     const Fault fault = next_of_file(kind, file);
@@ -122,7 +124,7 @@ ssize_t pwrite64(int file, const void* bytes, std::size_t size, off64_t at) {
                     [&](std::size_t n) { return real(file, bytes, n, at); });
 }
 
-// The C++ library writes files with writev: writing the first part alone is a
+// The C++ library writes files with writev; writing only the first part is a
 // short write.
 ssize_t writev(int file, const iovec* parts, int count) {
     static auto* const real = hidden<decltype(writev)>("writev");

@@ -16,9 +16,10 @@ import numpy as np
 from ideotype import Error
 from ideotype.history.file import open_file
 
-# Seconds after which a run is called hung; it takes a quarter of one.
+# A run that takes longer counts as hung [s]; it normally takes a quarter of a
+# second.
 _PATIENCE = 60
-# Data that may differ between runs.
+# Datasets that may differ between runs.
 _FREE = {
     "evaluations": {"seconds", "worker", "attempt"},
     "final": {"seconds", "worker", "attempt", "checksum"},
@@ -29,7 +30,7 @@ _DONE = (2, 3)  # status of done and of failed rows
 
 @dataclass(frozen=True)
 class Fault:
-    """A call that fails: the n-th of a kind, in one rank, on some files."""
+    """A failing call: the n-th of its kind, in one rank, on some files."""
 
     kind: str
     mode: str
@@ -48,7 +49,7 @@ class Fault:
 
 
 def place(rank: int | None, note: Path) -> dict[str, str]:
-    """Returns the variables that tell where calls are counted."""
+    """Returns the variables that state where calls are counted."""
     environment = {"FAULT_NOTE": str(note)}
     if rank is not None:
         environment["FAULT_RANK"] = str(rank)
@@ -107,7 +108,7 @@ class Setup:
         words = [*self._run, "--resume", "--out", out]
         if variables:
             variables = {**variables, "LD_PRELOAD": str(self.library)}
-        # Only ranks load the library, and not mpirun.
+        # Only the ranks load the library; mpirun does not.
         faults = ["env", *(f"{k}={v}" for k, v in variables.items())]
         start = [] if self.ranks is None else ["mpirun", "-n", f"{self.ranks}"]
         job = subprocess.Popen(
@@ -129,7 +130,7 @@ class Setup:
         return Ended(job.returncode, output)
 
     def counts(self, rank: int | None, file: str | None) -> dict[str, int]:
-        """Returns how many calls of each kind an undisturbed run makes."""
+        """Returns the number of calls of each kind in an undisturbed run."""
         note = self.folder / "counts"
         note.unlink(missing_ok=True)
         variables = place(rank, note)
@@ -163,7 +164,7 @@ class Setup:
             verdict.wrong += self._look(history, ended)
         elif ended.code == 0:
             verdict.wrong.append("success without a history")
-        # Without any file the next run starts from the beginning.
+        # If no file was written, the next run starts from the beginning.
         if ended.code != 0 and any((self.folder / out).rglob("*.h5*")):
             verdict.wrong += self._resume(out)
         shutil.rmtree(self.folder / out, ignore_errors=True)
@@ -200,7 +201,9 @@ Numbers = dict[str, np.ndarray]
 
 
 def outcome_of(ended: Ended) -> str:
-    """Returns how a run ended: right, told, signal, silent or hung."""
+    """Returns the way in which a run ended: right, told, signal, silent or
+    hung.
+    """
     if ended.is_hung:
         return "hung"
     if ended.code == 0:
@@ -217,7 +220,7 @@ def outcome_of(ended: Ended) -> str:
 
 
 def numbers_of(path: Path) -> Numbers:
-    """Returns all data of a history that no disturbance may change."""
+    """Returns all data of a history that must not depend on disturbances."""
     arrays = {}
     with open_file(path) as file:
         for group, free in _FREE.items():
@@ -257,7 +260,7 @@ def wrong_rows(group: str, whole: Numbers, disturbed: Numbers) -> list[str]:
 
 
 def lost_rows(disturbed: Numbers, output: str) -> list[str]:
-    """Returns the rows that were reported but are missing."""
+    """Returns the rows that the log reports but the history lacks."""
     reported = [
         int(n)
         for n in re.findall(r"generation \d+, (\d+) of \d+ plants", output)

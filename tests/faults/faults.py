@@ -24,7 +24,7 @@ from disturbed import Fault, Setup, Verdict
 _PROJECT = Path(__file__).resolve().parents[2]
 _DATA = Path(__file__).resolve().parent
 
-# Modes by kind of call. A "+" lets all later calls fail as well.
+# Modes by kind of call. With "+" all later calls fail as well.
 CALLS = {
     "write": ["EIO", "ENOSPC", "ENOSPC+", "EINTR", "short"],
     "reserve": ["ENOSPC", "EIO", "EINTR"],
@@ -42,7 +42,8 @@ FILES = {
     "open": ["EMFILE", "EACCES", "EIO", "EINTR"],
     "read": ["EIO", "EINTR", "short"],
 }
-# Campaign, calls, and where they fail: rank, and a part of the file's name.
+# Campaign, kinds of calls, and where they fail: the rank, and a part of the
+# file name.
 SETUPS = {
     "day": ("day", CALLS, None, None),
     "crop": ("season", FILES, None, "crops"),
@@ -54,7 +55,7 @@ _RANKS = 3
 
 
 def prepared(program: Path, library: Path, name: str, folder: Path) -> Setup:
-    """Returns a setup whose undisturbed run has been made in a new folder."""
+    """Returns a setup with an undisturbed run, made in a new folder."""
     campaign, _, rank, _ = SETUPS[name]
     folder.mkdir()
     for part in ("crops", "weather"):
@@ -66,8 +67,9 @@ def prepared(program: Path, library: Path, name: str, folder: Path) -> Setup:
 
 
 def numbers(count: int, upper: int, sample: int, seed: str) -> list[int]:
-    """Returns each number up to MOST, and a sample of larger numbers up to
-    COUNT."""
+    """Returns all numbers up to `upper`, and a random sample of the numbers
+    from there to `count`.
+    """
     rest = range(upper + 1, count + 1)
     chosen = random.Random(seed).sample(rest, min(sample, len(rest)))
     return [*range(1, min(count, upper) + 1), *sorted(chosen)]
@@ -76,7 +78,9 @@ def numbers(count: int, upper: int, sample: int, seed: str) -> list[int]:
 def faults_of(
     name: str, counts: dict[str, int], upper: int, sample: int, seed: int
 ) -> Iterator[Fault]:
-    """Yields the faults of a setup whose undisturbed run makes COUNTS calls."""
+    """Yields the faults to try in a setup; `counts` are the numbers of calls
+    in its undisturbed run.
+    """
     _, calls, rank, file = SETUPS[name]
     for kind, modes in calls.items():
         for mode in modes:
@@ -103,7 +107,7 @@ def mode_of(fault: Fault) -> str:
 def report(
     name: str, counts: dict[str, int], verdicts: list[tuple[Fault, Verdict]]
 ) -> list[str]:
-    """Prints a row for each kind and mode; returns the errors."""
+    """Prints a row for each kind and mode, and returns the errors."""
     outcomes: dict[tuple[str, str], Counter[str]] = {}
     wrong = []
     for fault, verdict in verdicts:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands before those calls of MPI that send and receive, and fails as MPI
-// does: by the error handler of the communicator.
+// Replaces the MPI calls that send and receive. They fail as in MPI: through
+// the error handler of the communicator.
 #include <chrono>
 #include <dlfcn.h>
 #include <thread>

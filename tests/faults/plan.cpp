@@ -52,14 +52,14 @@ struct Plan {
     bool counts = false;
 };
 
-// These variables are zero before any constructor runs, because constructors of
-// libraries allocate.
+// These variables are initialised before any constructor runs, because
+// constructors of libraries allocate memory.
 std::array<std::atomic<long>, names.size()> calls;
 std::atomic<bool> has_begun;
-std::atomic<int> state;  // states: 0 not read, 1 being read, 2 read
+std::atomic<int> state;  // 0: plan not read, 1: being read, 2: read
 Plan plan;
 
-// Appends to the note by system calls, in which no fault can occur.
+// Appends to the note by direct system calls, which never fail on purpose.
 void note(const char* text) {
     if (plan.note == nullptr) return;
     const long file = syscall(SYS_openat, AT_FDCWD, plan.note,
@@ -107,8 +107,8 @@ bool is_ready() {
     int fresh = 0;
     if (state == 2) return true;
     if (!state.compare_exchange_strong(fresh, 1)) return false;
-    // The environment is whole only after the C library has begun, whose
-    // constructors run first.
+    // The environment is complete only after the C library has started, but its
+    // constructors run before.
     read_plan();
     return true;
 }

@@ -3,7 +3,7 @@
 
 namespace faults {
 
-//! Kinds of calls that are counted, and fail, together.
+//! Kinds of calls; the calls of a kind are counted together and fail together.
 enum class Kind {
     write,
     reserve,
@@ -20,7 +20,7 @@ enum class Kind {
     count
 };
 
-//! The treatment of a call.
+//! The effect of the plan on one call.
 struct Fault {
     int error = 0;            //!< errno of a call that fails, or 0
     bool is_short = false;    //!< the call transfers half of its bytes
@@ -30,16 +30,16 @@ struct Fault {
     }
 };
 
-//! Records that main() begins. Allocations before main() are not counted: no
-//! program can report that constructors of static objects lack memory.
+//! Records that main() begins. Earlier allocations are not counted, because no
+//! program can report a lack of memory in constructors of static objects.
 void begin_main();
 
-//! Counts a call of this kind and returns its treatment.
-//! \param path path of the file of the call; null if it has none
+//! Counts a call of the given kind and returns its effect.
+//! \param path path of the file concerned; null if there is none
 Fault next(Kind kind, const char* path = nullptr);
 
-//! Counts a call on an open file as next() does, and asks for the file's name
-//! only if the plan needs it.
+//! Counts a call on an open file, like next(). The file name is looked up only
+//! if the plan depends on it.
 Fault next_of_file(Kind kind, int descriptor);
 
 }  // namespace faults

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text is either a campaign, whose resolved form reads back to itself, or
-// an InputError.
+// Any text is either a campaign or causes an InputError. The resolved form of a
+// campaign, read again, must not change.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes are either weather without gaps or an InputError.
+// Any bytes are either weather without gaps or cause an InputError.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `fuzz_X SECONDS SEED_FILE...`: where there is no libFuzzer, tries changed
-// copies of the files, always in the same order: a second run in a debugger
-// ends at the same input.
+// `fuzz_X SECONDS SEED_FILE...`: a substitute for libFuzzer that tries modified
+// copies of the files. Their order is always the same, so that a second run in
+// a debugger ends at the same input.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -39,8 +39,8 @@ class Mutator {
         return all[below(all.size())];
     }
 
-    //! Changes one byte, inserts a word that is likely to hurt, or moves or
-    //! removes a part.
+    //! Changes one byte, inserts a word that is likely to cause an error, or
+    //! moves or removes a part.
     void change(Text& text) {
         static const std::vector<Text> words{
             "-1",  "0",    "nan", "1e999",       "99999999999", "\n",
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     std::vector<Text> seeds;
     for (int i = 2; i < argc; ++i) {
         std::ifstream stream(argv[i], std::ios::binary);
-        // The beginnings of large files are enough, and quicker.
+        // The beginning of a large file is sufficient, and faster.
         Text text{std::istreambuf_iterator<char>(stream), {}};
         seeds.push_back(text.substr(0, 16384));
     }

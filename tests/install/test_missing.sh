@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The build names all libraries that are missing at once.
+# The build lists all missing libraries in one message.
 . "$(dirname "$0")/../cli/common.sh"
 export CMAKE_GENERATOR=Ninja  # generator of the presets; there may be no make
 
@@ -27,6 +27,6 @@ configure 1 -DIDEOTYPE_PROGRAM=ON MPI OpenSSL fmt glm \
 says "apt install libglm-dev libfmt-dev libssl-dev libeigen3-dev libtomlplusplus-dev libopenmpi-dev openmpi-bin nlohmann-json3-dev$"
 configure 0 -DIDEOTYPE_PROGRAM=ON GTest
 says "GoogleTest is missing: tests are not built$"
-# The library alone does without most of them.
+# Without the program, the library does not need most of them.
 configure 0 -DIDEOTYPE_PROGRAM=OFF tomlplusplus MPI HDF5 CLI11 \
     nlohmann_json

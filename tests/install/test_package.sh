@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A program outside of this project links what find_package(ideotype) finds.
+# A program outside the project links the library that find_package(ideotype)
+# finds.
 . "$(dirname "$0")/../cli/common.sh"
 export CMAKE_GENERATOR=Ninja  # generator of the presets; there may be no make
 build=$4
 
 expect 0 cmake --install "$build" --prefix "$folder/prefix"
-# The installed library must not need files of its build.
+# The installed library must not depend on files of the build.
 mv prefix elsewhere
 cp -r "$project/analysis/examples" .
 consumer=(cmake -S examples -B built -DCMAKE_PREFIX_PATH="$folder/elsewhere"
@@ -16,11 +17,11 @@ expect 0 cmake --build built
 for example in 07_mesh 13_responses 18_field; do
     expect 0 "built/$example"
 done
-says "^12,0.2[0-9]*,0.3[0-9]*"  # of 18_field: level leaves take more
+says "^12,0.2[0-9]*,0.3[0-9]*"  # of 18_field: level leaves absorb more
 expect 1 "${consumer[@]}" -DVERSION=0.0.1
 says 'compatible with requested version "0.0.1"'
 
-# pkg-config finds the same library, and the macros have the same version.
+# pkg-config finds the same library, and its version agrees with the macros.
 for option in "${@:5}"; do
     case $option in
     -DCMAKE_CXX_COMPILER=*) compiler=${option#*=} ;;

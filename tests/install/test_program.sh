@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The installed program and what comes with it.
+# Tests the installed program and the files installed with it.
 . "$(dirname "$0")/../cli/common.sh"
 build=$4
 
@@ -12,11 +12,11 @@ for file in doc/ideotype/LICENSE bash-completion/completions/ideotype; do
     [ -s "$share/$file" ] || fail "there is no $file"
 done
 "$prefix/bin/ideotype" schema | cmp - "$share/ideotype/campaign.schema.json"
-# The manual page is made where help2man is installed.
+# The manual page is built only where help2man is installed.
 ! command -v help2man >/dev/null || [ -s "$share/man/man1/ideotype.1" ] ||
     fail "there is no manual page"
 
-# The SLURM scripts find the program that they were installed with.
+# The SLURM scripts find the program with which they were installed.
 unset IDEOTYPE
 expect 0 "$share/ideotype/slurm/submit" --dry-run \
     "$share/ideotype/campaigns/ames_quick.toml"

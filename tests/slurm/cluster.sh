@@ -7,8 +7,8 @@
 start_cluster() {
     cluster=$(mkdir -p "$1" && cd "$1" && pwd)
     local nodes=$2 port host node
-    # Ports are below those of the kernel, and apart from those of a cluster
-    # that is started at the same time.
+    # The ports are below those that the kernel assigns, and differ from those
+    # of another cluster started at the same time.
     port=$((20000 + $$ % 1500 * 8))
     host=$(hostname -s)
     mkdir -p "$cluster"/{state,log,run/tmp}
@@ -45,14 +45,14 @@ KillWait=5
 NodeName=node[1-$nodes] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$((port + 1))-$((port + nodes))] CPUs=4 State=UNKNOWN
 PartitionName=debug Nodes=ALL Default=YES MaxTime=INFINITE State=UP OverSubscribe=FORCE:4
 CONF
-    # SLURM of Debian 12 does without control groups if there are none; later
-    # versions only if told.
+    # Without control groups, SLURM of Debian 12 works by default; later
+    # versions need a setting.
     case $(slurmd -V) in
     *" 22."*) ;;
     *) echo "CgroupPlugin=disabled" >"$cluster/cgroup.conf" ;;
     esac
     export SLURM_CONF=$cluster/slurm.conf
-    # By force: in a folder of root's own, which others may not enter, too.
+    # --force is needed because root's own folder may not be entered by others.
     munged --force --key-file="$cluster/munge.key" \
         --socket="$cluster/run/munge.socket" \
         --pid-file="$cluster/run/munged.pid" \
@@ -79,7 +79,7 @@ stop_cluster() {
     done
 }
 
-# Waits until no job is left; $1 at most so many seconds.
+# Waits until no job is left, for at most $1 seconds.
 wait_for_jobs() {
     local end=$((SECONDS + $1))
     while [ -n "$(squeue -h)" ]; do
@@ -102,7 +102,8 @@ export OMPI_MCA_btl=tcp,self OMPI_MCA_btl_tcp_if_include=lo
 SITE
 }
 
-# Tells how srun starts ranks of the MPI that the program is built with.
+# Prints the option with which srun starts ranks of the MPI library of this
+# build.
 srun_of_mpi() {
     if is_mpich; then
         echo srun --mpi=pmi2
@@ -111,8 +112,8 @@ srun_of_mpi() {
     fi
 }
 
-# Submits and keeps what that says; sets job, the first of a chain. $1 a name for
-# the log.
+# Submits jobs and stores the output; sets job to the first job of the chain. $1
+# a name for the log.
 submit() {
     "$project/slurm/submit" "${@:2}" >"submit-$1.log" 2>&1 ||
         fail "submit: $(cat "submit-$1.log")"
@@ -130,8 +131,8 @@ wait_for_file() {
     fail "there is no $1"
 }
 
-# Process of rank 1 of job $1. Other clusters on this machine have jobs of the
-# same number.
+# Prints the process of rank 1 of job $1. Other clusters on this machine may use
+# the same job numbers.
 worker_of() {
     local process environment
     for process in $(pgrep -x ideotype); do
@@ -147,7 +148,8 @@ worker_of() {
     fail "job $1 has no worker"
 }
 
-# Everything that the controller tells of the jobs, for the reader of a log.
+# Prints all information of the controller about the jobs, for the log of a
+# failed test.
 show_jobs() {
     echo "--- $(basename "$0" .sh): sacct -c"
     sacct -c --format=JobID,JobName%18,NodeList,State,Start,End 2>/dev/null

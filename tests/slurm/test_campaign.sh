@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# All cases in one job over two nodes, started by mpirun and by srun, and a case
-# submitted by hand, without slurm/submit.
+# Tests all cases in one job over two nodes, started by mpirun and by srun, and
+# a case that is submitted without slurm/submit.
 . "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 

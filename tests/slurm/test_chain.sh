@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Chains of jobs over two nodes: a job that drains ahead of its time limit ends
-# well, so that the next one resumes what is left; after a failure none begins.
+# Tests chains of jobs over two nodes. A job that drains before its time limit
+# succeeds, so that the next one resumes the remaining work; after a failure no
+# further job starts.
 . "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 
-# Long enough that its worker is found while it runs.
+# The run is long enough for its worker to be found while it runs.
 write_campaign chain 12 200
 sed 's/^seed = 7/seed = 7\nreplicates = 2/; s/"chain"/"tasks"/; s/= 200/= 40/' \
     campaigns/chain.toml >campaigns/tasks.toml
@@ -16,7 +17,7 @@ write_site here mpirun
 submit limit --site here.sh --out limit --lead 50 --chain 4 \
     campaigns/chain.toml --time=1 --nodes=2 --ntasks=3 --no-requeue
 limit=$job
-# However quick this machine is: the first job gets nowhere until its time is up.
+# Even on a fast machine the first job must not finish before its time limit.
 wait_for_file "$(history_of limit chain)"
 worker=$(worker_of "$limit")
 kill -STOP "$worker"
@@ -37,7 +38,7 @@ submit again --site here.sh --out tasks --form sweep campaigns/tasks.toml
 grep -q "nothing to submit" submit-again.log ||
     fail "cases of a chain were submitted twice: $(cat submit-again.log)"
 
-# Programs that find something wrong, and whose ranks die at once.
+# The first program reports an error, and the ranks of the second die at once.
 for name in wrong dying; do
     ending="exit 1"
     [ $name = wrong ] || ending="kill -KILL \$\$"
@@ -60,13 +61,13 @@ for replicate in 1 2; do
     same_results "local/tasks/ames_0807_762x152_all_r$replicate.h5" \
         "tasks/tasks/ames_0807_762x152_all_r$replicate.h5"
 done
-# $1 text that a log of the rest must have
+# $1 a text that the log of one of the remaining jobs must contain
 has() {
     grep -q -- "$1" "${@:2}" || fail "no '$1' in $(cat "${@:2}")"
 }
 has "drained; the next job of the chain continues" "ideotype-chain-$limit.log"
-# Job $2 of the chain that was submitted as $1, from 1. SLURM may have numbered
-# tasks of an array in between.
+# Prints job $2, from 1, of the chain that was submitted as $1. Its numbers need
+# not be consecutive, because SLURM also numbers tasks of arrays.
 job_of() {
     sed -n 's/^job  *\([^;]*\);.*/\1/p' "submit-$1.log" | cut -d ' ' -f "$2"
 }

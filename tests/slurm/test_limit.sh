@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A job that gets to its time limit drains ahead of it and is requeued until
-# all cases are complete.
+# A job that reaches its time limit drains before it and is requeued, until all
+# cases are complete.
 . "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 
@@ -13,8 +13,8 @@ export IDEOTYPE=$ideotype
 write_site here "$(srun_of_mpi)"
 submit here --site here.sh --out out --lead 50 campaigns/limit.toml \
     --time=1 --ntasks=2
-# However quick this machine is: the first start gets nowhere until its time is
-# up. The controller says so within 30 s; evaluations may take a minute.
+# Even on a fast machine the first start must not finish before its time limit.
+# The controller signals within 30 s; evaluations may take a minute.
 wait_for_file "$(history_of out limit)"
 worker=$(worker_of "$job")
 kill -STOP "$worker"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Jobs that are cancelled, whose worker is killed or whose node goes down lose
-# nothing; a job that gets nowhere is not requeued for ever.
+# Jobs that are cancelled, or lose a worker or a node, lose no results. A job
+# that makes no progress is not requeued for ever.
 . "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 
@@ -10,7 +10,7 @@ trap stop_cluster EXIT
 start_cluster "$folder/cluster" 3
 export IDEOTYPE=$ideotype IDEOTYPE_PATIENCE=3
 write_site here mpirun
-# Open MPI's mpirun sometimes outlives its ranks; this one always does.
+# Open MPI's mpirun sometimes outlives its ranks; this replacement always does.
 cat >clinging.sh <<'LAUNCHER'
 #!/bin/sh
 mpirun "$@"
@@ -26,7 +26,7 @@ add_job cancel here --nodelist=node1
 add_job worker worker --nodelist=node1
 add_job node here --exclude=node1
 
-# A program whose ranks die at once.
+# The ranks of this program die at once.
 cat >dying.sh <<PROGRAM
 #!/bin/sh
 [ "\$1" != run ] || kill -KILL \$\$

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Messages of slurm/submit where there is no cluster.
+# Tests the messages of slurm/submit without a cluster.
 . "$(dirname "$0")/../cli/common.sh"
 
 # $1 the expected exit code, the rest arguments.
@@ -8,7 +8,7 @@ submit() {
     expect "$1" "$project/slurm/submit" "${@:2}"
 }
 
-# A machine without SLURM has everything but its commands.
+# This machine has all commands except those of SLURM.
 mkdir bin
 for command in bash chmod cp basename dirname readlink realpath cut cat id grep wc \
     ls sed awk; do

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A sweep as an array over two nodes of a real SLURM: a task that is requeued
-# and one that drains in the middle resume, a second submit adds nothing, and
-# all histories are bitwise those of local runs.
+# A sweep as an array over two nodes of a real SLURM: a requeued task and a task
+# that drains in the middle both resume, a second submission adds nothing, and
+# all histories are bitwise equal to those of local runs.
 . "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 

@@ -34,7 +34,7 @@ stop_all() {
 }
 trap stop_all EXIT
 
-# Python that can read histories, or nothing.
+# A Python that can read histories; empty if there is none.
 python=
 for candidate in "${PYTHON:-}" "$project/.venv/bin/python" python3; do
     if [ -n "$candidate" ] &&
@@ -46,7 +46,7 @@ done
 [ -n "$python" ] ||
     echo "NO PYTHON WITH h5py: FILES ARE READ BY ideotype status ALONE" >&2
 
-# Starts a run on any number of ranks, or of threads; sets job, log and width.
+# Starts a run on any number of ranks or threads; sets job, log and width.
 start() {
     log=run.$1.log
     width=$((1 + RANDOM % 4))
@@ -63,7 +63,7 @@ is_alive() {
     grep -qs "^State:[[:space:]]*[^ZX[:space:]]" "/proc/$1/status"
 }
 
-# True once the process is gone, false if it is not within so many seconds.
+# Returns whether process $1 ends within $2 seconds.
 goes() {
     for _ in $(seq $((20 * $2))); do
         is_alive "$1" || return 0
@@ -72,7 +72,7 @@ goes() {
     return 1
 }
 
-# Waits for the end of a run, in whatever order its processes go.
+# Waits for the end of a run, whatever the order in which its processes end.
 wait_for_end() {
     local process
     for process in "${ranks[@]}"; do
@@ -94,7 +94,7 @@ committed() {
     "$ideotype" status "$1" | sed -n 's/.*, \([0-9]*\) of [0-9]* plants in .*/\1/p'
 }
 
-# Counts the faults of the file of a killed run.
+# Counts the errors in the file of a killed run.
 look() {
     local text reported
     [ -e "$history" ] || return 0
@@ -125,7 +125,8 @@ finished() {
     [ -e "$history" ] && "$ideotype" status "$history" | grep -q ": finished"
 }
 
-# A complete round is compared; the next begins with a new file.
+# A complete round is compared with the uninterrupted run; the next round begins
+# with a new file.
 end_round() {
     (same_results "$whole" "$history") >&2 || different=$((different + 1))
     rounds=$((rounds + 1))
@@ -144,7 +145,7 @@ if [ -n "$is_season" ]; then
     "give_$light" stress
     printf '[objective]\nmaximise = "carbon_balance"\n' >>campaigns/stress.toml
     name=july
-    lag=1000  # weather is read first
+    lag=1000  # before this the weather is read
 fi
 "$ideotype" "$command" campaigns/stress.toml "${settings[@]}" --out whole >/dev/null
 whole=$(history_of whole stress $name)
@@ -160,7 +161,8 @@ stuck=0 failed=0 changes=0 last_width=3
 while [ $done_kills -lt "$kills" ]; do
     before=$(committed "$history")
     target=${targets[RANDOM % ${#targets[@]}]}
-    # [ms]; one in three while the ranks start and open the file.
+    # Delay [ms]; in one of three rounds, the kill occurs while the ranks start
+    # and open the file.
     delay=$((RANDOM % 3 == 0 ? 150 + RANDOM % 350 : lag + RANDOM % 1000))
     start $done_kills
     [ $width -eq $last_width ] || changes=$((changes + 1))

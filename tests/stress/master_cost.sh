@@ -19,8 +19,8 @@ for ranks in "$@"; do
     mpirun -n "$ranks" "$program" "$folder" | tee -a "$folder/table"
 done
 
-# Rank 0 is saturated where evaluations take no time; elsewhere its CPU time
-# is mostly that of looking for messages.
+# Rank 0 is saturated if evaluations take no time; otherwise most of its CPU
+# time is spent polling for messages.
 awk '$2 == 0 { if (!least || $5 < least) least = $5 }
      END { printf "\nat %.0f us each, one master feeds %.0f workers at 5 ms " \
                "and %.0f at 100 ms per evaluation\n",

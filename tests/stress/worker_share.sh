@@ -53,7 +53,8 @@ candidates = 3
 TOML
 } >"$campaign"
 
-# Seconds that all workers spent evaluating; copies have attempt 0.
+# Seconds that all workers spent on evaluations. Copied outcomes are excluded;
+# their attempt is 0.
 evaluating() {
     local file group
     for file in "$1"/latitudes/*.h5; do

@@ -46,8 +46,9 @@ addEventListener("load", () => {
 def run_in_browser(
     page: Path, script: str, folder: Path, width: int = 1000
 ) -> tuple[Any, list]:
-    """Returns what the script, the body of a function, returns in the loaded
-    page, and all errors: of scripts, of the console, of refused loads."""
+    """Runs a script, the body of a function, in the loaded page. Returns its
+    result, and all errors of scripts, of the console, and of refused
+    requests."""
     name = next(filter(shutil.which, NAMES), None)
     if name is None:
         pytest.fail(
@@ -76,8 +77,7 @@ def run_in_browser(
 
 
 def _run(command: list[str]) -> tuple[str, str]:
-    """Returns output and log. A browser has many processes, all of which are
-    ended."""
+    """Returns the output and the log. All processes of the browser are ended."""
     process = subprocess.Popen(
         command,
         stdout=subprocess.PIPE,

@@ -23,7 +23,8 @@ from real_program import run_shortened, start
 from ideotype.tools.commands import report
 
 HERE = Path(__file__).parent
-# The program hands commands of the package to the Python that runs the tests.
+# For commands of the package, the program starts the Python that runs the
+# tests.
 os.environ.setdefault("IDEOTYPE_PYTHON", sys.executable)
 LONG = {
     "test_manual.py",
@@ -54,7 +55,8 @@ for profile, examples in (("quick", 25), ("long", 1000)):
     settings.register_profile(
         profile,
         max_examples=examples,
-        # Examples are the same each time, and no folder has earlier ones.
+        # Examples are reproducible, and no earlier ones are stored in a
+        # folder.
         derandomize=True,
         database=None,
         deadline=None,
@@ -62,21 +64,22 @@ for profile, examples in (("quick", 25), ("long", 1000)):
     )
 
 
-# ./test.sh --all has the option --hypothesis-profile=long.
+# The option --hypothesis-profile=long of ./test.sh --all selects the other
+# profile.
 settings.load_profile("quick")
 
 
 def pytest_ignore_collect(
     collection_path: Path, config: pytest.Config
 ) -> bool | None:
-    """Leaves out files of long tests if none of them runs, since each process
+    """Skips files of long tests if none of them runs, because each process
     would import their libraries."""
     is_quick = config.getoption("markexpr") == "not long"
     return True if is_quick and collection_path.name in LONG else None
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Marks the long tests, and puts long tests first."""
+    """Marks long tests and moves them to the front."""
     items.sort(key=lambda item: item.path.name not in LONG)
     for item in items:
         if item.path.name in LONG:
@@ -112,8 +115,8 @@ class WriterProcess:
         self._await()
 
     def kill(self) -> None:
-        """Kills the writer by SIGKILL: the program flushes, closes and unlocks
-        nothing."""
+        """Kills the writer by SIGKILL, so that the program neither flushes,
+        closes nor unlocks the file."""
         self._process.kill()
         self._process.communicate()
 
@@ -125,7 +128,7 @@ class WriterProcess:
 
 @pytest.fixture
 def writer(tmp_path: Path) -> Iterator[WriterProcess]:
-    """Gives a live writer of an empty history."""
+    """Provides a live writer of an empty history."""
     process = WriterProcess(tmp_path / "live.h5")
     yield process
     process.kill()
@@ -133,8 +136,8 @@ def writer(tmp_path: Path) -> Iterator[WriterProcess]:
 
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives a closed history of six generations with three failed rows and
-    finals."""
+    """Provides a closed history with six generations, three failed rows and
+    final evaluations."""
     path = tmp_path_factory.mktemp("finished") / "case.h5"
     made = MadeHistory(path)
     made.evolve(6)
@@ -145,8 +148,9 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def drained(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives a history of two generations and five rows of the third; its other
-    rows are only proposed. The history is closed but not finished."""
+    """Provides a history with two generations and five rows of the third
+    generation, the rest of which is only proposed. The history is closed but
+    not finished."""
     path = tmp_path_factory.mktemp("drained") / "case.h5"
     made = MadeHistory(path)
     made.evolve(2)
@@ -164,8 +168,8 @@ SHIFTS = (0.0, 0.1)
 
 @pytest.fixture(scope="session")
 def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives a folder of finished histories: two sites with two seeds each,
-    with PAR in three height layers, and by origin."""
+    """Provides a folder with finished histories of two sites and two seeds
+    each, with PAR by height layer (three) and by origin."""
     folder = tmp_path_factory.mktemp("sweep")
     layers = Measured("MJ m-2 day-1", "layer")
     sources = Measured("MJ m-2 day-1", "light_source")
@@ -195,8 +199,8 @@ def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def tiny_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives the history of a finished run of the tiny campaign, which lies in
-    the folder above."""
+    """Provides the history of a finished run of the tiny campaign; the
+    campaign is in the parent folder."""
     folder = tmp_path_factory.mktemp("run")
     run = start(folder, 3)
     output, _ = run.communicate(timeout=300)
@@ -207,14 +211,15 @@ def tiny_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def sorghum(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Gives two finished histories of sorghum, with free traits of each leaf
-    and with a free profile of insertion angles."""
+    """Provides two finished histories of sorghum: one with free traits of
+    single leaves, one with a free profile of insertion angles."""
     return run_shortened(tmp_path_factory.mktemp("sorghum"), "sorghum")
 
 
 @pytest.fixture(scope="session")
 def cross(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives two plants under both cases; edmonton has no elite."""
+    """Provides a cross-evaluation of two plants in both cases; edmonton lacks
+    the elite plant."""
     path = tmp_path_factory.mktemp("cross") / "cross.json"
     data = {
         "plants": ["elite", "best of ames"],
@@ -232,7 +237,7 @@ def made(
     cross: Path,
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Made:
-    """Gives the report of the sweep."""
+    """Provides the report of the sweep."""
     folder = tmp_path_factory.mktemp("report")
     arguments = [sweep, "-o", folder, "--cross", cross]
     with pytest.MonkeyPatch.context() as patch:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes histories in which single bits are wrong."""
+"""Makes histories with single wrong bits."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ def flip(content: bytes, bit: int) -> bytes:
 
 
 def marked(content: bytes, marks: int) -> bytes:
-    """Returns the content with the given marks in its superblock."""
+    """Returns the content with the given marks in the superblock."""
     start = content[:11] + bytes([marks]) + content[12:44]
     return start + struct.pack("<I", lookup3(start)) + content[48:]
 
 
 def metadata(path: Path) -> np.ndarray:
     """Returns the bits of a history that ideotype.open() reads, except the
-    data, which have checksums."""
+    data, which checksums protect."""
     is_read = np.zeros(path.stat().st_size, bool)
     readinto = _Unmarked.readinto
 

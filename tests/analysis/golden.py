@@ -42,7 +42,7 @@ MESHES = {
 
 
 def figures(name: str) -> dict[str, np.ndarray]:
-    """Returns the figures of a campaign or a mesh of this module, computed by
+    """Returns the results of a campaign or mesh of this module, computed by
     the program."""
     if name in MESHES:
         return _mesh_figures(MESHES[name])
@@ -91,7 +91,7 @@ def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:
     )
     _flatten("", report, values)
     values.pop("seconds")
-    # Quantities that were added later have no golden figures.
+    # Quantities that were added later have no golden values.
     return {k: v for k, v in values.items() if not k.startswith("quantities.")}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gives the figures of a history their names in the golden files."""
+"""Gives the results of a history their names in the golden files."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PARTS = ("absorbed", "stalk", "soil", "reflected")
 
 
 def figures(file: h5py.File) -> dict[str, np.ndarray]:
-    """Returns all figures that the golden files hold."""
+    """Returns all results that the golden files contain."""
     values_by_name = {}
     for part in ("evaluations", "final"):
         rows = file[part]
@@ -48,7 +48,7 @@ def figures(file: h5py.File) -> dict[str, np.ndarray]:
 
 
 def _slots(file: h5py.File, rows: np.ndarray) -> np.ndarray:
-    """Returns the slots of rows in their generations; -1 stays."""
+    """Returns the slots of rows in their generations; -1 remains -1."""
     first = file["generations/first_row"][:]
     generation = np.searchsorted(first, rows, side="right") - 1
     return np.where(rows < 0, rows, rows - first[generation])

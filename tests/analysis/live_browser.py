@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Uses live pages in a browser like a person."""
+"""Operates live pages in a browser like a user."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ WIDTHS = (1280, 390)
 def shown(
     page: Served | str, folder: Path, width: int = 1280
 ) -> Iterator[Phone]:
-    """Shows a live page that has its first numbers; no script may fail."""
+    """Opens a live page and waits for its first numbers; scripts must not
+    fail."""
     address = page if isinstance(page, str) else page.address
     height = 800 if width > 1000 else HEIGHT
     with phone_with(address, folder, width, height) as phone:
@@ -30,7 +31,7 @@ def shown(
 
 
 def settle(phone: Phone) -> None:
-    """Waits until all requests are answered and refined."""
+    """Waits until all requests are answered and numbers are refined."""
     phone.wait(
         "document.body.dataset.cases || (typeof page !== 'undefined' && "
         "page.number > 0 && document.body.dataset.final === 'true' && "
@@ -54,7 +55,7 @@ def move(phone: Phone, slider: str, part: float) -> None:
 
 
 def click(phone: Phone, selector: str) -> None:
-    """Clicks the element that a selector finds; a hidden element cannot be
+    """Clicks the element that matches a selector; a hidden element cannot be
     clicked."""
     found = f"document.querySelector({json.dumps(selector)})"
     assert phone.value(f"{found}.getClientRects().length > 0"), selector
@@ -75,14 +76,14 @@ def number(phone: Phone, name: str) -> list[float]:
 
 
 def view(phone: Phone) -> str:
-    """Returns the picture of the plants when the page has drawn it."""
+    """Returns the picture of the plants after the page has drawn it."""
     phone.value("new Promise((done) => requestAnimationFrame(() => "
                 "requestAnimationFrame(done)))")  # fmt: skip
     return str(phone.value("byId('view').toDataURL()"))
 
 
 def bare(phone: Phone) -> float:
-    """Returns the part of the picture that has the colour of its corner."""
+    """Returns the fraction of the picture that has the colour of its corner."""
     return float(
         phone.value(
             """(() => {
@@ -106,7 +107,8 @@ def fits(phone: Phone) -> bool:
 
 
 def serious_findings(phone: Phone) -> list[dict[str, Any]]:
-    """Returns the serious and critical findings of axe: rules and places."""
+    """Returns the serious and critical findings of axe, with rules and
+    elements."""
     script = files("axe_core_python").joinpath("axe.min.js").read_text("utf-8")
     phone.value(f"{script}; undefined")
     found = phone.value(
@@ -121,8 +123,8 @@ def serious_findings(phone: Phone) -> list[dict[str, Any]]:
 
 
 def memory(phone: Phone) -> dict[str, float]:
-    """Returns the memory of the page after garbage collection: the heap of
-    scripts [bytes], the numbers of elements and of event listeners."""
+    """Returns the memory use of the page after garbage collection: the heap of
+    scripts [bytes], the number of elements and of event listeners."""
     phone.ask("Performance.enable")
     phone.ask("HeapProfiler.collectGarbage")
     metrics = phone.ask("Performance.getMetrics")["metrics"]

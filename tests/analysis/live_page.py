@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Starts live pages like a user, and exchanges messages with the pages."""
+"""Starts live pages like a user, and exchanges messages with the program."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ class Served:
     """The open file of the error output."""
 
     def complaints(self) -> str:
-        """Returns the error output. Reading moves no position that the
-        program shares."""
+        """Returns the error output, without moving the file position that the
+        program uses."""
         return os.pread(self.errors, 1 << 20, 0).decode()
 
     @property
@@ -42,7 +42,7 @@ class Served:
         return int(re.findall(r":(\d+)/", self.address)[0])
 
     def resident(self) -> int:
-        """Returns the memory of the program [KiB]."""
+        """Returns the resident memory of the program [KiB]."""
         status = Path(f"/proc/{self.process.pid}/status").read_text()
         line = next(x for x in status.splitlines() if x.startswith("VmRSS"))
         return int(line.split()[1])
@@ -55,11 +55,11 @@ def token(page: Served) -> str:
 
 @contextlib.contextmanager
 def served(*words: object) -> Iterator[Served]:
-    """Serves `ideotype play` or `ideotype watch` within a context. A program
-    that does not end at the signal fails the test, and is killed."""
+    """Serves `ideotype play` or `ideotype watch` within a context. If the
+    program does not end at the signal, it is killed and the test fails."""
     command = [sys.executable, "-m", "ideotype", *map(str, words)]
-    # Errors go to no pipe: nobody would read it, and a full pipe blocks the
-    # program.
+    # Errors are written to a file: nobody would read a pipe, and a full pipe
+    # would block the program.
     with (
         tempfile.TemporaryFile("w+") as errors,
         subprocess.Popen(
@@ -89,7 +89,7 @@ _ENDING = 30
 
 
 class Talk:
-    """Exchanges messages with the program like a page."""
+    """Exchanges messages with the program, like a page."""
 
     def __init__(self, link: WebSocketClientConnection) -> None:
         self._link = link
@@ -110,7 +110,7 @@ class Talk:
         self._link.write_message(json.dumps(message))
 
     def say_raw(self, data: str | bytes) -> None:
-        """Sends a text, or bytes, that need not be JSON."""
+        """Sends a text or bytes, which may be invalid JSON."""
         self._link.write_message(data, binary=isinstance(data, bytes))
 
     async def first(self, number: int) -> dict[str, Any]:
@@ -129,7 +129,7 @@ class Talk:
 
 
 def talk_with(page: Served, do: Callable[[Talk], Awaitable[T]]) -> T:
-    """Returns the result of an exchange of messages with the page."""
+    """Returns the result of an exchange of messages with the program."""
 
     async def work() -> T:
         address = f"{page.address}talk".replace("http", "ws")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the campaign of made histories, which gives plants their shapes."""
+"""Makes the campaign of made histories, from which plants get their shapes."""
 
 from __future__ import annotations
 

@@ -28,7 +28,8 @@ def make(
     objectives: Sequence[tuple[str, str]] = (LIGHT, AREA),
     **options: Any,
 ) -> Path:
-    """Makes a finished history; its finalists have the leaf areas LAIS."""
+    """Makes a finished history; the leaf area indices of its finalists are
+    LAIS."""
     made = MadeHistory(
         path, objectives=objectives, resolved=resolved(), **options
     )

@@ -2,10 +2,9 @@
 """Makes small histories that follow analysis/FORMAT.md exactly, without the
 program.
 
-As a program, `made_history.py PATH` creates a history and obeys
-commands from its standard input, one per line, such as `record 0 3`; each
-command is answered with `ok`. The script then serves as a writer in another
-process."""
+As a script, `made_history.py PATH` creates a history and executes commands
+from its standard input, one per line, such as `record 0 3`. It answers each
+command with `ok`, and thus serves as a writer in another process."""
 
 from __future__ import annotations
 
@@ -85,7 +84,7 @@ SESSION = {
 
 
 class MadeHistory:
-    """A writer in SWMR mode with a lock on the file, like the program."""
+    """A writer that, like the program, uses SWMR mode and locks the file."""
 
     def __init__(
         self,
@@ -103,18 +102,17 @@ class MadeHistory:
         ),
     ) -> None:
         """Creates all datasets, empty, except the dataset `without`.
-        `attributes` add to or replace root attributes, `shift` is added to the
-        light absorbed by optimised plants and `baseline_shift` to the light of
-        the baseline in the finals, `extra` are more quantities and `labels`
-        the labels of their axes."""
+        `attributes` add to or replace root attributes. `shift` is added to the
+        light absorbed by optimised plants, and `baseline_shift` to that of the
+        baseline in the final evaluations. `extra` are additional quantities,
+        and `labels` the labels of their axes."""
         self._shift, self._baseline_shift = shift, baseline_shift
         self._objectives = [name for name, _ in objectives]
         self._extra = {name: part for name, (_, part) in extra.items()}
         self._measured = QUANTITIES | {
             n: kind for n, (kind, _) in extra.items()
         }
-        # The description of the data stands at the beginning, as in files of
-        # the program.
+        # As in files of the program, the header of the file comes first.
         self.file = h5py.File(
             path, "w", libver=("v110", "v110"), meta_block_size=_HEADER
         )
@@ -157,7 +155,8 @@ class MadeHistory:
         self.file.swmr_mode = True
 
     def propose(self, generation: int) -> None:
-        """Proposes rows: genomes first, then the place, then the status."""
+        """Proposes rows: writes genomes first, then positions, then the
+        status."""
         for slot in range(POPULATION):
             row = generation * POPULATION + slot
             first = ORIGIN["baseline"] if slot == 0 else ORIGIN["random"]
@@ -175,7 +174,7 @@ class MadeHistory:
         self.file.flush()
 
     def record(self, generation: int, slot: int) -> None:
-        """Records an outcome, status last."""
+        """Records an outcome; the status is written last."""
         total = absorbed(generation, slot)
         if generation or slot:
             total += self._shift
@@ -186,7 +185,7 @@ class MadeHistory:
         self.file.flush()
 
     def fail(self, generation: int, slot: int) -> None:
-        """Records a failed row with its reason."""
+        """Records a failed row with the reason."""
         rows, row = self.file["evaluations"], generation * POPULATION + slot
         rows["message"][row] = b"leaf 3 folds into itself"
         for name, kind in self._measured.items():
@@ -227,7 +226,7 @@ class MadeHistory:
         self.file.flush()
 
     def commit(self, generation: int) -> None:
-        """Summarizes the generation; writes `committed` last."""
+        """Summarises the generation; `committed` is written last."""
         first = generation * POPULATION
         rows = self.file["evaluations"]
         status = rows["status"][first : first + POPULATION]
@@ -257,7 +256,7 @@ class MadeHistory:
         self.file.flush()
 
     def evolve(self, generations: int) -> None:
-        """Makes whole generations; slot 5 of each odd one fails."""
+        """Makes complete generations; in each odd one slot 5 fails."""
         for generation in range(generations):
             self.propose(generation)
             for slot in range(POPULATION):
@@ -266,8 +265,8 @@ class MadeHistory:
             self.commit(generation)
 
     def propose_final(self) -> None:
-        """Proposes finals: row 0 is the baseline, other rows are the fittest
-        plants of generation 3."""
+        """Proposes final evaluations: row 0 is the baseline, the others are
+        the fittest plants of generation 3."""
         rows = self.file["final"]
         for slot in range(FINALISTS):
             bred = genome(3, POPULATION - slot)
@@ -289,7 +288,7 @@ class MadeHistory:
         self.file.flush()
 
     def finish(self, reason: str = "generations") -> None:
-        """Makes the finals and ends."""
+        """Makes the final evaluations and ends the run."""
         self.propose_final()
         for slot in range(FINALISTS):
             self.record_final(slot)
@@ -298,8 +297,7 @@ class MadeHistory:
         self.file.flush()
 
     def close(self) -> None:
-        """Closes the file, like the program at its end, so that no lock
-        remains."""
+        """Closes the file and releases its lock, like the program at its end."""
         self.file.close()
         os.close(self._lock)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Types of the format that all made histories use."""
+"""Types that all made histories use."""
 
 from __future__ import annotations
 

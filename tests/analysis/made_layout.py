@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lays out an empty history of format 2.0 exactly as in analysis/FORMAT.md."""
+"""Creates an empty history of format 2.0 exactly as in analysis/FORMAT.md."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ AXES_UNITS = {"layer": "m", "hour": "h"}
 
 
 def fixed(length: int) -> np.dtype:
-    """Returns the type of a text with at most the given number of bytes."""
+    """Returns the type of a text of at most the given number of bytes."""
     return h5py.string_dtype("utf-8", length)
 
 
@@ -50,7 +50,7 @@ class Layout:
     def create(
         self, attributes: Mapping[str, object], campaign: Mapping[str, str]
     ) -> None:
-        """Creates all datasets, which are empty except for the header."""
+        """Creates all datasets; only the header contains data."""
         for name, value in attributes.items():
             self._attribute(name, value)
         for form, text in campaign.items():
@@ -246,8 +246,8 @@ def generation_checksum(file: h5py.File, generation: int) -> str:
 
 
 def finalist_checksum(file: h5py.File, finalist: int, status: int) -> str:
-    """Returns the checksum of a finalist as FORMAT.md defines it, with the
-    status that the row will have."""
+    """Returns the checksum of a finalist as FORMAT.md defines it, for the
+    status that the row will get."""
     rows = sorted(file["final"].items())
     return _hash(
         (name, bytes([status]))
@@ -259,7 +259,7 @@ def finalist_checksum(file: h5py.File, finalist: int, status: int) -> str:
 
 
 def seal(file: h5py.File) -> None:
-    """Recomputes all checksums, after a test has changed a finished file."""
+    """Recomputes all checksums after a test has modified a finished file."""
     del file.attrs["checksum"]
     text = header_checksum(file).encode()
     file.attrs.create("checksum", text, dtype=fixed(len(text) + 1))

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Computes the numbers in made histories, all of which follow from formulas in
-this file."""
+"""Computes the numbers in made histories by formulas."""
 
 from __future__ import annotations
 
@@ -85,36 +84,35 @@ LAI = 3.44
 
 
 def absorbed(generation: int, slot: int) -> float:
-    """Returns PAR absorbed by the leaves [MJ m-2 day-1]; the baseline is slot
-    0 of generation 0."""
+    """Returns the PAR absorbed by leaves [MJ m-2 day-1]; slot 0 of generation
+    0 is the baseline."""
     return BASELINE + 0.05 * generation + 0.01 * slot
 
 
 def final_absorbed(slot: int) -> float:
-    """Returns PAR absorbed by the leaves in /final; slot 2 is the best and 1.5
-    % above the baseline."""
+    """Returns the PAR absorbed by leaves in /final; slot 2 is the best plant,
+    1.5 % above the baseline."""
     return BASELINE * (1 + [0.0, 0.010, 0.015, 0.005][slot])
 
 
 def hypervolume(generation: int) -> float:
-    """Returns the hypervolume of the front of a generation for several
-    objectives."""
+    """Returns the hypervolume of a generation's front, for several objectives."""
     return 1.0 - 0.5 ** (generation + 1)
 
 
 def leaf_share(leaf: int) -> float:
-    """Returns the part of the absorbed PAR that leaf 1 ... LEAVES takes."""
+    """Returns the fraction of the absorbed PAR that leaf 1 ... LEAVES absorbs."""
     return 2 * leaf / (LEAVES * (LEAVES + 1))
 
 
 def hour_par(total: float, hour: float) -> float:
-    """Returns PAR absorbed at a local time [W m-2] by a canopy with the given
-    daily total."""
+    """Returns the PAR absorbed at a local time [W m-2] by a canopy with the
+    given daily total."""
     return 36.0 * total * np.sin(np.pi * (hour - 6.0) / 15.0)
 
 
 def quantities(total: float) -> dict[str, float | np.ndarray]:
-    """Returns all quantities of a canopy with the given total [MJ m-2
+    """Returns all quantities of a canopy with the given daily total [MJ m-2
     day-1]."""
     fraction = total / INCIDENT
     shares = (fraction, *((1 - fraction) * np.array([0.2, 0.5, 0.3])))
@@ -134,8 +132,8 @@ def quantities(total: float) -> dict[str, float | np.ndarray]:
 def randomisations(
     total: float, error: float, count: int, generation: int, slot: int
 ) -> np.ndarray:
-    """Draws randomisations with the given mean and standard error; rows of a
-    generation share most of the noise."""
+    """Generates randomisations with the given mean and standard error; rows of
+    a generation share most of their noise."""
 
     def noise(*seed: int) -> np.ndarray:
         draws = np.random.default_rng(seed).normal(size=count)
@@ -154,8 +152,8 @@ def baseline_genome() -> np.ndarray:
 
 
 def genome(generation: int, slot: int) -> np.ndarray:
-    """Returns the plant of a row. Azimuths of leaf 1 lie around north: slot s
-    has 355 + s deg, so that their circular mean is near 0 and not near 180."""
+    """Returns the plant of a row. The azimuth of leaf 1 is 355 + s deg in slot
+    s, so that the circular mean is near 0 and not near 180."""
     if generation == 0 and slot == 0:
         return baseline_genome()
     draw = np.random.default_rng([generation, slot])

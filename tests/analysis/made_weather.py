@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes equal days of weather as files of many formats."""
+"""Writes days of weather as files of many formats; all contain the same data."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ HOUR = pd.Timedelta("1h")
 
 
 def read_expected() -> pd.DataFrame:
-    """Returns the days of all files of DATA, by the middles of hours, as
-    columns of the conversion."""
+    """Returns the weather in all files of DATA, by the middles of hours, with
+    the columns of a converted file."""
     table = pd.read_csv(DATA / "expected.csv")
     table.index = pd.to_datetime(table["date"]) + pd.to_timedelta(
         table["hour"], "h"
@@ -29,7 +29,8 @@ def read_expected() -> pd.DataFrame:
 
 
 def minutes(step: int) -> pd.DataFrame:
-    """Returns the days in UTC in equal parts of hours, by their beginnings."""
+    """Returns the weather in UTC in equal steps within hours, by their
+    beginnings."""
     table = read_expected()
     table.index += 5 * HOUR - HOUR / 2
     table.loc[table.index[-1] + HOUR] = np.nan
@@ -129,7 +130,7 @@ def at_half(table: pd.DataFrame) -> pd.DataFrame:
 def write_knmi(file: Path) -> None:
     rows = []
     for t, r in minutes(60).iterrows():
-        # The file has J/cm2.
+        # The unit of the file is J/cm2.
         energy = r["global"] * 0.36
         rows.append(
             f"  260,{t:%Y%m%d},{t.hour + 1:5},  180,{10 * r.temperature:5.0f},"
@@ -145,7 +146,7 @@ def write_knmi(file: Path) -> None:
 
 
 def write_dwd(file: Path) -> None:
-    """Writes the light of ten-minute steps in the format of DWD."""
+    """Writes the light in ten-minute steps in the format of DWD."""
     rows = [
         f"       123;{t + pd.Timedelta('10min'):%Y%m%d%H%M};    3;"
         f"{r.diffuse * 0.06:.5f};{r['global'] * 0.06:.5f};0.1;  -999;eor"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Shows a page on a phone: Chromium without a window, 390 points wide, with a
-touch screen; or on a wider screen. Commands go through a pipe in the DevTools
-protocol."""
+touch screen; or on a wider screen. Commands of the DevTools protocol are sent
+through a pipe."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Phone:
         """Errors of scripts, of the console and of refused loads."""
 
     def open(self, page: Page, width: int, height: int = HEIGHT) -> None:
-        """Opens a page in a new tab, and returns when the page is loaded."""
+        """Opens a page in a new tab, and returns when it is loaded."""
         self._session = ""
         target = self.ask("Target.createTarget", url="about:blank")
         session = self.ask("Target.attachToTarget", flatten=True, **target)
@@ -48,7 +48,7 @@ class Phone:
             mobile=width < 1000,
         )  # fmt: skip
         self.ask("Emulation.setTouchEmulationEnabled", enabled=width < 1000)
-        # Scrollbars would take some of the width of a wide window.
+        # Scrollbars would reduce the width of a wide window.
         self.ask("Emulation.setScrollbarsHidden", hidden=True)
         for domain in ("Page", "Runtime", "Log"):
             self.ask(f"{domain}.enable")
@@ -56,8 +56,7 @@ class Phone:
 
     @property
     def tab(self) -> str:
-        """The tab that receives commands, which can be replaced by another
-        tab."""
+        """The tab that receives commands; another tab can be assigned."""
         return self._session
 
     @tab.setter
@@ -65,8 +64,7 @@ class Phone:
         self._session = session
 
     def show(self, page: Page) -> None:
-        """Shows another page in this tab, and returns when the page is
-        loaded."""
+        """Opens another page in this tab, and returns when it is loaded."""
         url = page.as_uri() if isinstance(page, Path) else page
         self.ask("Page.navigate", url=url)
         while self._message().get("method") != "Page.loadEventFired":
@@ -91,14 +89,14 @@ class Phone:
         return found
 
     def picture(self, path: Path) -> None:
-        """Writes the picture on the screen to a PNG file."""
+        """Writes a screenshot to a PNG file."""
         data = self.ask("Page.captureScreenshot")["data"]
         path.write_bytes(base64.b64decode(data))
 
     def swipe(
         self, start: tuple[float, float], step: tuple[float, float]
     ) -> None:
-        """Moves one finger from a point on the screen in ten steps."""
+        """Moves one finger across the screen in ten steps."""
         x, y = start
         touch = "Input.dispatchTouchEvent"
         self.ask(touch, type="touchStart", touchPoints=[{"x": x, "y": y}])
@@ -172,8 +170,7 @@ def phone_with(
         pytest.fail(f"no browser: install one of {', '.join(NAMES)}")
     orders, to_browser = os.pipe()
     from_browser, answers = os.pipe()
-    # File descriptors are moved away from 3 and 4, which the browser reads and
-    # writes.
+    # The file descriptors must not be 3 and 4, which the browser uses.
     ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (orders, answers)]
     command = [
         *(name, *OPTIONS, "--remote-debugging-pipe"),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Arrays that hide or lose numbers are refused wherever arrays enter."""
+"""Arrays with hidden values, or values that would be lost, are refused by all
+functions."""
 
 from __future__ import annotations
 

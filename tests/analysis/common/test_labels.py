@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of quantities are printed with the capitals of abbreviations."""
+"""Abbreviations in names of quantities are printed in capitals."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ CRATE = ("--author", "Ada", "--license", "CC0-1.0")
 
 
 def finished(path: Path, **attributes: str) -> Path:
-    """Writes a finished history with attributes of unknown origin."""
+    """Writes a finished history; its attributes may have any content."""
     path.parent.mkdir(parents=True, exist_ok=True)
     made = MadeHistory(path, attributes=attributes)
     made.evolve(2)
@@ -56,7 +56,7 @@ def tree(folder: Path) -> dict[str, bytes]:
 
 @contextmanager
 def small_files() -> Iterator[None]:
-    """Limits the size of files, as a full disk does."""
+    """Limits the size of files, which imitates a full disk."""
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (4096, limits[1]))
     try:
@@ -207,7 +207,7 @@ def test_a_crate_writes_through_no_link(
     target = other if name == "inputs" else other / "precious"
     (folder / name).symlink_to(target)
     before = tree(tmp_path)
-    # A report is read, not written.
+    # report.html is an input, which the command only reads.
     code = 1 if name == "report.html" else 4
     assert crate.main([str(folder), *CRATE]) == code
     assert f"{folder / name}: this " in capfd.readouterr().err

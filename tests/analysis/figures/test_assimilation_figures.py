@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of assimilation, of sunlit leaves and of a season show what they
-should."""
+"""Figures of assimilation, of sunlit leaves and of a season contain the right
+numbers."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def test_assimilation_is_drawn_by_hour_and_leaf(case: Case) -> None:
         *("gross assimilation\n[µmol m⁻² s⁻¹ of ground]", "best"),
         "assimilation [mol m⁻² day⁻¹ of ground]",
     } <= labels(figure)
-    # Sunlit leaves are only in their separate figure.
+    # Sunlit leaf area is drawn only in a separate figure.
     assert len(draw_leaves(case).axes) == 1
     assert len(draw_hours(case).axes) == 2
 
@@ -103,7 +103,7 @@ def test_a_season_is_drawn_by_day(case: Case) -> None:
     gain = final_absorbed(2) - final_absorbed(0)
     assert change == pytest.approx(gain * parts)
     days = [label.get_text() for label in lower.get_xticklabels()]
-    # There is room for four.
+    # Four ticks would fit on the axis.
     assert days == ["28 Jul", "30 Jul", "1 Aug"]
     assert "absorbed PAR\n[MJ m⁻² day⁻¹ of ground]" in labels(figure)
 

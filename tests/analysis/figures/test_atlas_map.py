@@ -25,8 +25,8 @@ ACROSS, UP = (0.0, 8.0, 4), (0.0, 90.0, 3)
 
 
 def run(folder: Path, *axes: tuple[str, tuple[float, float, int]]) -> Path:
-    """Returns the history of an atlas with a few generations of the tiny
-    campaign, and the output of the program."""
+    """Runs a short atlas search of the tiny campaign. Returns its history, and
+    stores the output of the program next to it."""
     campaign = write_campaign(folder, 8)
     search = 'population = 12\noptimizer = "atlas"\n' + "".join(
         f'[[search.axes]]\nquantity = "{name}"\n'
@@ -45,7 +45,7 @@ def run(folder: Path, *axes: tuple[str, tuple[float, float, int]]) -> Path:
 
 @pytest.fixture(scope="module")
 def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives an atlas over leaf area and the angle of the top."""
+    """Provides an atlas over leaf area and the angle of the top leaves."""
     folder = tmp_path_factory.mktemp("atlas")
     return run(folder, ("lai", ACROSS), ("top_leaf_angle", UP))
 
@@ -66,7 +66,7 @@ def test_each_cell_has_one_leader_and_all_cells_are_counted(
     ):
         values = atlas.leaders[name].values
         width = (high - low) / cells
-        # Plants are alike, so that features are known without noise.
+        # Stands are uniform, so that features have no noise.
         np.testing.assert_array_equal(atlas.cells[:, k], values // width)
     assert len(np.unique(atlas.cells, axis=0)) == len(atlas.leaders) > 3
     match = re.search(

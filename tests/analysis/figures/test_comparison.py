@@ -58,7 +58,7 @@ def test_spacings_have_a_line_for_each_distance_of_rows(
     lines = [
         line for line in figure.axes[1].lines if len(line.get_xdata()) == 2
     ]
-    # 15 x 6 and 30 x 3 inches have as many plants; no line joins them.
+    # 15 x 6 and 30 x 3 inches have equal plant densities; no line joins them.
     assert all(np.diff(line.get_xdata())[0] > 1 for line in lines)
 
 
@@ -81,12 +81,12 @@ def test_the_table_has_leaf_area_and_gain_per_leaf_area(
         best = case.best.estimate("lai").mean
     ratio = 1.015 * 3.44 / np.array(lais)
     assert pair.gain_per_leaf_area.mean == pytest.approx(100 * (ratio[0] - 1))
-    # The leaf area is exact, so that the light alone has an error.
+    # Leaf area is exact, so that only the light contributes to the error.
     error = pair.gain.standard_error * 3.44 / 6.0
     assert pair.gain_per_leaf_area.standard_error == pytest.approx(error)
     found = dict(zip(table.header, table.rows[0]))
     assert found["LAI baseline"] == "3.44"
-    # The table has the best plant alone.
+    # The table refers only to the best plant.
     assert found["LAI best"] == f"{best:.2f}"
     mean = case.gain_per_leaf_area().mean
     assert mean == pytest.approx(100 * (ratio.mean() - 1))
@@ -135,8 +135,8 @@ def test_an_objective_per_leaf_area_is_its_own_gain(tmp_path: Path) -> None:
     made.finish()
     made.close()
     with h5py.File(path, "r+") as file:
-        # The error is one per leaf area already, and must not be divided by
-        # the leaf area again.
+        # The objective and its error are already per leaf area, and must not
+        # be divided by leaf area again.
         file["final/lai"][2] = 6.0
         seal(file)
     with open_study(tmp_path) as study:
@@ -208,7 +208,7 @@ def test_a_cross_evaluation_serves_two_campaigns(tmp_path: Path) -> None:
         over = {c.name: cross.relative_gain(c, ELITE) for c in study.cases()}
         table, *notes = tabulate_gains(study.cases(), cross)
     best = final_absorbed(2)
-    # "c" may be the case of either campaign.
+    # Both campaigns have a case "c", so that the name is ambiguous.
     assert over.pop("one: c") is None
     assert {name: gain and gain.mean for name, gain in over.items()} == {
         "one: a": pytest.approx(100 * (best / 10.0 - 1)),
@@ -242,7 +242,8 @@ def test_seeds_are_put_together_in_a_cross_evaluation() -> None:
     (ames, bred), (oslo, lonely), (b73, _) = cross.seeds_together()
     assert (ames, oslo, b73) == ("ames_all", "oslo_all_r1", "b73")
     assert bred[0] is not None and bred[0].mean == pytest.approx(11.1)
-    # This is Student's t with one degree of freedom, times the standard error.
+    # The interval is Student's t with one degree of freedom times the standard
+    # error.
     assert bred[0].below == pytest.approx(12.7062 * 0.1)
     assert lonely[0] is None and lonely[1] is not None
     assert lonely[1].below == pytest.approx(0.0196)

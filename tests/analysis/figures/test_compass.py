@@ -20,7 +20,7 @@ from ideotype.history.study import open_study
 
 
 def copy_with(history: Path, folder: Path, campaign: str) -> Path:
-    """Makes a copy that has another campaign."""
+    """Copies a history and gives the copy another campaign."""
     copy = folder / "copy.h5"
     shutil.copy(history, copy)
     with h5py.File(copy, "r+") as file:
@@ -30,7 +30,7 @@ def copy_with(history: Path, folder: Path, campaign: str) -> Path:
 
 
 def turned(history: Path, folder: Path, direction: float) -> Path:
-    """Makes a copy whose rows run in the given direction."""
+    """Copies a history and changes the direction of its rows."""
     text = f'[[spacing]]\nname = "30x6"\nrow_direction = {direction}'
     return copy_with(history, folder, text)
 
@@ -52,7 +52,7 @@ def test_labels_of_the_compass_do_not_overlap(
         figure = draw_azimuths(study.cases()[0])
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    # The compass is the narrow panel, in which north is named.
+    # The compass is the narrow panel that contains the letter N.
     (axes,) = (a for a in figure.axes if any(t.get_gid() for t in a.texts))
     boxes = [t.get_window_extent() for t in axes.texts if t.get_text()]
     assert len(boxes) == 3
@@ -69,7 +69,8 @@ def test_north_lies_against_the_turn_of_the_rows(
         (case,) = study.cases()
         assert row_direction(case) == direction
         ((x, y),) = norths(draw_azimuths(case))
-    # Angles count clockwise from the row, which is the top of the figure.
+    # Angles count clockwise from the row, which points to the top of the
+    # figure.
     assert np.rad2deg(np.arctan2(x, y)) == pytest.approx(-direction)
 
 

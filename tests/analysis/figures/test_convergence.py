@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A search has converged only if the data exclude a further gain that
-matters."""
+"""A search counts as converged only if the data exclude a relevant further
+gain."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from ideotype.history.trend import (
 def means(
     count: int, noise: float, rise: float = 0.0, seed: int = 1
 ) -> NDArray[np.float64]:
-    """Returns the means of populations around 11 that rise linearly."""
+    """Returns population means around 11 that rise linearly."""
     draw = np.random.default_rng(seed)
     return 11 + rise * np.arange(count) + draw.normal(0, noise, count)
 
@@ -61,7 +61,7 @@ def test_a_rising_search_has_not_converged() -> None:
 
 
 def test_a_significant_but_irrelevant_rise_has_converged() -> None:
-    """By 200 generations again 0.04 of 11 would be gained, 0.36 %."""
+    """As many generations again (200) would gain 0.04 of 11, or 0.36 %."""
     runs = [means(200, 1e-3, rise=2e-4)]
     found = further_gain(runs, 1)
     assert found is not None and found.low > 0
@@ -74,7 +74,8 @@ def test_a_search_with_falling_means_has_not_converged() -> None:
 
 
 def test_intervals_of_the_further_gain_include_the_truth() -> None:
-    """Intervals of 95 % of 400 searches with a known trend include it."""
+    """The 95 % intervals of 400 simulated searches are compared with the known
+    trend."""
     count, rise = 60, 0.003
     held = 0
     for seed in range(400):
@@ -115,8 +116,8 @@ def test_searches_differ_only_beyond_their_errors() -> None:
 def summarise_case(
     folder: Path, optimizer: str, shifts: tuple[float, ...]
 ) -> Study:
-    """Returns a study of finished searches, which gain 3 % more by each
-    third of a unit of shift."""
+    """Returns a study of finished searches; their gain increases by 3 % for
+    each third of a unit of `shift`."""
     for k, shift in enumerate(shifts, start=1):
         made = MadeHistory(
             folder / f"made_r{k}.h5",
@@ -136,7 +137,7 @@ def sentence(
     optimizer: str = "ga",
     shifts: tuple[float, ...] = (0.0,),
 ) -> str:
-    """Returns the verdict of searches with given means of populations."""
+    """Returns the verdict on searches with the given population means."""
     with summarise_case(folder, optimizer, shifts) as study:
         (case,) = study.cases()
         first = case.histories[0].generations()
@@ -203,7 +204,7 @@ def test_generations_of_a_race_do_not_count_as_convergence(
 
 
 def test_the_length_of_the_race_agrees_with_the_program() -> None:
-    """The race follows a generation of designed plants."""
+    """The race follows an initial generation of designed plants."""
     source = Path(__file__).parents[3] / "src/search/cma_es/auto_search.cpp"
     match = re.search(
         r"constexpr std::size_t race = (\d+)", source.read_text()

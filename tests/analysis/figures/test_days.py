@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The days of a season are shown by the objective."""
+"""Figures show the objective on each day of a season."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ LIGHT = Measured("MJ m-2 day-1", "day")
 def give(
     rows: h5py.Group, slot: int, gross: float, loss: float, error: float
 ) -> None:
-    """Gives a finalist a gross assimilation and a loss, and randomisations
-    with the standard error of their paired difference."""
+    """Sets the gross assimilation and the losses of a finalist, and
+    randomisations with the standard error of the paired difference."""
     count = rows["objectives_by_randomisation"].shape[2]
     noise = np.resize([1.0, -1.0], count) * (error if slot else 0.0)
     rows["objectives_by_randomisation"][slot, 0] = (
@@ -48,8 +48,8 @@ def case_with(
     objective: str = "carbon_balance",
     grows: bool = False,
 ) -> Case:
-    """Returns a case with a baseline of gross assimilation 1.4 and losses 0.5,
-    and best plants with others [mol m-2 day-1]."""
+    """Returns a case in which the baseline assimilates 1.4 gross and loses
+    0.5, and best plants have other values [mol m-2 day-1]."""
     extra: dict[str, Extra] = {
         "absorbed_by_day": (LIGHT, SHARES),
         "gross_assimilation": (RATE, 0.1),
@@ -111,7 +111,7 @@ def test_the_answer_names_a_gain_from_smaller_losses(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("best", "error", "end"),
     [
-        # Assimilation is known too badly to exclude that it is larger.
+        # The uncertainty of assimilation does not exclude that it increased.
         (
             (1.39, 0.42),
             0.02,
@@ -147,7 +147,8 @@ def test_net_assimilation_subtracts_respiration_in_the_light(
 
 
 def test_growing_plants_show_gross_assimilation(tmp_path: Path) -> None:
-    """Their losses change with their leaf area, from day to day."""
+    """The losses of growing plants change daily with their leaf area, so that
+    the figure shows gross assimilation."""
     case = case_with(tmp_path, (1.38, 0.42), grows=True)
     figure = draw_days(case)
     shown, _ = bars(figure.axes[0], "best")

@@ -51,7 +51,7 @@ def test_plants_stand_in_rows_and_are_turned() -> None:
     across = masts[:, 1] - masts[:, 0]
     turns = np.rad2deg(np.arctan2(across[:, 1], across[:, 0]))
     assert 0 < np.abs(turns).max() <= 10 and len(set(turns.round(6))) == 12
-    # Colours are a shade of the leaf's own colour.
+    # Each colour is a shade of the leaf colour.
     shades = field.colors[1::2] / colors[1]
     assert np.ptp(shades, axis=1) == pytest.approx(0)
     assert shades.min() >= 0.72 and shades.max() <= 1
@@ -67,7 +67,7 @@ def test_points_above_eye_height_are_above_the_horizon() -> None:
     for quad in masts:
         foot, top = quad[1], quad[2]
         assert foot[1] < view.horizon < top[1]
-        # The horizon crosses the mast about as far up as eyes are.
+        # The horizon crosses the mast approximately at eye height.
         part = (view.horizon - foot[1]) / (top[1] - foot[1])
         assert part == pytest.approx(EYE / 3, abs=0.1)
     # The nearest mast, which is the largest, is drawn last.
@@ -95,7 +95,7 @@ def test_a_view_is_painted_over_sky_and_soil() -> None:
     assert soil.get_extent() == [-2, 2, -2, 1]
     assert sky.get_extent() == [-2, 2, 1, 2]
     painted = np.asarray(faces.get_array())
-    # Rows count from the top.
+    # Pixel rows count from the top.
     height, width, _ = painted.shape
     green_part = painted[2 : height // 2 - 2, width // 2 + 2 : -2]
     assert np.all(green_part == (0, 255, 0, 255))

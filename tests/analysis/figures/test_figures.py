@@ -68,10 +68,11 @@ def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
     assert width.get_xlabel() == "width [m]"
     assert insertion_angle.get_xlabel() == "insertion angle [°]"
     markers = [line.get_marker() for line in length.lines]
-    # There are ten plants, the baseline and the means.
+    # Ten plants, the baseline and the means are drawn.
     assert [markers.count(marker) for marker in "oD|"] == [10, 1, 1]
     assert length.get_xlim()[0] < 0.40 and length.get_xlim()[1] > 1.10
-    # Leaf 1 lies around the row: its mean is near 0, far from 180.
+    # The azimuths of leaf 1 scatter around the row: their mean is near 0, far
+    # from 180.
     mean, _ = horizontal_bars(azimuth)
     assert min(mean[0], 360 - mean[0]) < 10
     assert "baseline" in labels(figure) and "bounds" in labels(figure)
@@ -109,8 +110,8 @@ def test_circular_means_and_their_bars_stay_on_the_axis(
     ]
     ends = np.array(parts)[..., 0]
     assert ends.min() >= 0 and ends.max() <= 360
-    # The bars of leaf 1 are on both sides of the seam: both bars together are
-    # twice the deviation.
+    # The error bar of leaf 1 crosses 0 deg and is therefore drawn in two
+    # parts, with a total length of twice the deviation.
     at = np.array(parts)[:, 0, 1] < 1
     lengths = (ends[:, 1] - ends[:, 0])[at]
     away = (top + 180) % 360 - 180
@@ -119,7 +120,8 @@ def test_circular_means_and_their_bars_stay_on_the_axis(
 
 
 def test_standard_deviations_are_drawn_completely(finished: Path) -> None:
-    """The plants are at both bounds: the deviation reaches past them."""
+    """The plants are at both bounds, so that the deviation extends beyond the
+    bounds."""
     with open_study(finished) as study:
         case = study.cases()[0]
         top = case.top(10)
@@ -155,7 +157,7 @@ def test_azimuths_are_polar_and_averaged_on_the_circle(
         if line.get_label() == "circular mean and deviation"
     ]
     first = np.rad2deg(mean.get_xdata()[0])
-    # Slots 11 ... 6 and 4 ... 1 have 355 + slot deg.
+    # The azimuth of leaf 1 in slots 11 ... 6 and 4 ... 1 is 355 + slot [deg].
     slots = [11, 10, 9, 8, 7, 6, 4, 3, 2, 1]
     assert (first + 180) % 360 - 180 == pytest.approx(
         355 + np.mean(slots) - 360, abs=0.05
@@ -214,8 +216,8 @@ def test_the_ten_best_plants_are_from_all_seeds(sweep: Path) -> None:
     with open_study(sweep) as study:
         case = study.cases()[0]
         top, seeds = case.top(10), case.seeds_of_top(10)
-    # Both seeds have the same plants, which are better by the shift in the
-    # second.
+    # Both seeds have the same plants; those of the second seed are better by
+    # the shift.
     expected = sorted(
         (absorbed(5, s) + max(SHIFTS) for s in range(POPULATION) if s != 5),
         reverse=True,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The importance of traits is the change of the best plant with each trait."""
+"""The importance of a trait is the loss of the best plant if the trait is
+changed."""
 
 from __future__ import annotations
 
@@ -26,7 +27,7 @@ def test_changes_are_paired_and_of_one_trait(tiny_run: Path) -> None:
     assert [x.back.mean for x in changes] == sorted(
         (x.back.mean for x in changes), reverse=True
     )
-    # The first change is evaluated again in a separate stand.
+    # The first change is evaluated again in an independent stand.
     first = changes[0]
     plant = best.copy()
     columns = genes.columns(first.trait)
@@ -65,7 +66,8 @@ def test_the_sentence_claims_only_significant_effects() -> None:
 def test_weeks_are_sums_of_days() -> None:
     days, rates = np.array([0.0, 10.0, 20.0]), np.array([0.0, 1.0, 1.0])
     weeks = sum_weeks(days, rates, 20.0)
-    # A triangle of ten days, and ten days at 1.
+    # The rate rises from 0 to 1 over ten days and then stays at 1 for ten
+    # days.
     assert weeks.sum() == pytest.approx(15)
     assert weeks[0] == pytest.approx(0.5 * 7 * 0.7)
     assert weeks[2] == pytest.approx(6)

@@ -17,8 +17,8 @@ SETS = ("erect", "flat")
 
 
 def shift(trait_set: str, latitude: float, plant: float) -> float:
-    """Returns the additional light of optimised plants [MJ m-2 day-1]: erect
-    plants gain only in the dense stand."""
+    """Returns the additional light absorbed by optimised plants [MJ m-2
+    day-1]: erect plants gain only in the dense stand."""
     if trait_set == "flat":
         return 0.0
     return (0.3 if plant == PLANTS[0] else -0.1) + latitude / 1000
@@ -62,7 +62,7 @@ def test_gains_are_mapped_for_each_trait_set(study: Study) -> None:
     assert [axes.get_title().split()[-1] for axes in panels] == [*SETS]
     for axes, trait_set in zip(panels, SETS):
         (image,) = axes.images
-        # Maps run from few plants to many, from south to north.
+        # Axes begin with the lowest plant density and the southernmost site.
         expected = [
             [
                 100 * (best(trait_set, latitude, plant) / BASELINE - 1)
@@ -98,7 +98,7 @@ def test_two_trait_sets_have_a_line_where_they_are_equal(
     assert np.all(shown[:, 0] < 0) and np.all(shown[:, 1] > 0)
     (line,) = axes.collections
     (path,) = line.get_paths()
-    # The line runs between few and many plants, through all latitudes.
+    # At all latitudes the line lies between the low and the high density.
     at = path.vertices[path.vertices[:, 1] == 1.0][0]
     left, right = shown[1]
     assert at[0] == pytest.approx(-left / (right - left))

@@ -26,8 +26,8 @@ def history(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def with_best(history: Path, folder: Path, trait: str, change: object) -> Path:
-    """Makes a copy of a history with finalists that differ from the baseline
-    in a trait alone."""
+    """Copies a history and makes its finalists differ from the baseline in
+    only one trait."""
     copy = folder / history.name
     copy.write_bytes(history.read_bytes())
     with h5py.File(copy, "r+") as file:

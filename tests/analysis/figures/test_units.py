@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Axes of light have one unit, and tell ground from leaf."""
+"""All axes of light have the same unit and state whether it is per ground or
+per leaf area."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Program and package agree on the traits that are at their bounds."""
+"""Program and package agree on the traits at a bound."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ REPLICATES = 3
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives the histories of three searches for tall plants, and the output of
-    the program."""
+    """Provides the histories of three searches for tall plants, and the output
+    of the program."""
     folder = tmp_path_factory.mktemp("bounds")
     path = write_campaign(folder, 12)
     text = path.read_text().replace(
@@ -50,7 +50,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def make_genes(**changes: Any) -> Genes:
-    """Returns the genes of height and azimuth."""
+    """Returns two genes, height and azimuth."""
     count = 2
     return Genes(
         names=("height", "azimuth"),
@@ -124,7 +124,7 @@ def test_run_status_summary_and_report_agree_on_traits_at_bounds(
     assert " of 3 searches" in clause
     assert clause.endswith(("by the bound", "by these bounds"))
     lines = (folder / "told.txt").read_text().splitlines()
-    # Lines of the log begin with the time.
+    # Each line of the log begins with the time.
     assert clause in lines[-3:]
     assert clause in output_of("status", folder).splitlines()
     sentence = f"{clause[:1].upper()}{clause[1:]}."

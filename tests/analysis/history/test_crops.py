@@ -26,8 +26,8 @@ FREE = ["azimuth_deviation", "leaf_plane", "height", "length_profile"]
 
 @pytest.fixture(scope="module")
 def maize(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives a history of maize with free traits: one of leaves, two of the
-    plant, and a profile."""
+    """Provides a history of maize with these free traits: one of single
+    leaves, two of the whole plant, and a profile."""
     return run_crop(tmp_path_factory.mktemp("maize"), "maize", FREE)
 
 
@@ -41,7 +41,7 @@ def export_leaves(history: Path, folder: Path) -> dict[str, np.ndarray]:
 
 
 def interpolate_profile(case: Case, trait: str, leaves: int) -> np.ndarray:
-    """Returns a trait of the best plant, for each leaf."""
+    """Returns the values that a trait of the best plant has at its leaves."""
     points = case.best.row.genome[0, case.genes.columns(trait)]
     return curve(points, np.linspace(0, 1, leaves))
 
@@ -55,7 +55,7 @@ def test_azimuths_agree_with_the_exported_plant(
         (drawn,) = compute_azimuths(case, case.best.row.genome)
         (baseline,) = compute_azimuths(case, case.baseline.row.genome)
     assert drawn == pytest.approx(exported)
-    # Two traits turn leaves; neither is called azimuth.
+    # Two traits change azimuths; neither is named azimuth.
     assert np.ptp(drawn - baseline) > 0.1
     assert list(baseline) == [90, 270] * 5
 
@@ -117,7 +117,7 @@ def test_a_profile_is_a_curve_through_its_points(maize: Path) -> None:
         (axes,) = draw_profiles(case).axes
         fittest = case.top(1).genome[0, case.genes.columns("length_profile")]
     curves = [line for line in axes.lines if len(line.get_xdata()) == 101]
-    # The baseline's curve, drawn last, is 1 everywhere.
+    # The last curve is that of the baseline, which is 1 everywhere.
     *bred, baseline = [line.get_xdata() for line in curves]
     assert baseline == pytest.approx(np.ones(101))
     at = np.searchsorted(np.linspace(0, 1, 101), [0, 1]), [0, -1]

@@ -38,7 +38,7 @@ def damage(path: Path, byte: int) -> Path:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """Gives a good history between two others, one of which can't be read."""
+    """Provides a good history between two others, one of which cannot be read."""
     place = tmp_path / "results"
     place.mkdir()
     damage(place / "a.h5", UNREADABLE)
@@ -61,7 +61,7 @@ def test_damaged_metadata_are_reported_without_delay(
 
 @pytest.fixture
 def small(tmp_path: Path) -> Path:
-    """Gives a finished history of two generations."""
+    """Provides a finished history of two generations."""
     made = MadeHistory(tmp_path / "small.h5")
     made.evolve(2)
     made.finish()
@@ -73,8 +73,8 @@ def small(tmp_path: Path) -> Path:
 def test_no_flipped_bit_of_metadata_makes_reading_endless(
     small: Path, marks: int
 ) -> None:
-    """Forty bits are flipped, in a closed file and in a file that is marked as
-    open; tests/stress/flip.py takes any number."""
+    """Forty bits are flipped, in a closed file and in a file marked as open;
+    tests/stress/flip.py tests any number."""
     content = marked(small.read_bytes(), marks)
     small.write_bytes(content)
     whole = ideotype.open(small)

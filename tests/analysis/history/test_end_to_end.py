@@ -34,7 +34,7 @@ PROMISED = {
 
 @pytest.fixture(scope="session", params=["tiny_run", "sorghum"])
 def sample(request: pytest.FixtureRequest) -> Path:
-    """Gives the named history, or else a new history and a history of
+    """Provides the given history, or else a new history and a history of
     sorghum."""
     if given := os.environ.get("IDEOTYPE_SAMPLE_HISTORY"):
         return Path(given)
@@ -44,7 +44,7 @@ def sample(request: pytest.FixtureRequest) -> Path:
 
 @pytest.fixture(params=["evaluations", "finalists"])
 def rows(request: pytest.FixtureRequest, sample: Path) -> Rows:
-    """Gives done rows of the run and of the finals."""
+    """Provides the successful rows of the run and of the final evaluations."""
     with open_history(sample) as history:
         found = getattr(history, request.param)().done
     assert len(found) > 0
@@ -118,8 +118,8 @@ def test_hourly_light_integrates_to_the_day(tiny_run: Path) -> None:
         best = history.best()
     assert best is not None and best.is_final
     profile = best.profile("absorbed_by_hour")
-    # The sum is a sum of trapezoids: the sun of Ames is up from the first hour
-    # to the last.
+    # The daily sum follows by the trapezoidal rule, because at Ames the sun is
+    # up from the first to the last hour.
     assert list(profile.labels) == list(range(7, 21))
     ends = profile.values[0] + profile.values[-1]
     joules = 3600 * (profile.values.sum() - ends / 2)
@@ -140,14 +140,14 @@ def test_meshes_of_a_report_have_the_lengths_of_their_genes(
     widths = best.row.genome[0, genes.columns("width")]
     for leaf, length, width in zip(leaves, lengths, widths):
         part = plants.best.area(leaf) / (length * width)
-        # A blade fills some of its rectangle.
+        # A blade covers a part of its bounding rectangle.
         assert 0.5 < part < 0.95
     assert plants.baseline.area("leaf01") != plants.best.area("leaf01")
 
 
 @pytest.fixture
 def running(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[str], Path]]:
-    """Gives a run that does not end by itself, and its history."""
+    """Provides a run that does not end by itself, and its history."""
     run = start(tmp_path, 10_000)
     deadline = time.monotonic() + 60
     while not (histories := list((tmp_path / "tiny").glob("*.h5"))):
@@ -166,7 +166,8 @@ def test_a_run_is_followed_and_survives_its_kill(
     seen = 0
     with open_history(path) as history:
         deadline = time.monotonic() + 60
-        # A new file has its name a moment before it is opened to write.
+        # A new file is visible shortly before the program opens it for
+        # writing.
         while str(history.state()) != "running":
             assert time.monotonic() < deadline, str(history.state())
             time.sleep(0.01)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fronts of several objectives have the right plants, and the report lets a
-reader choose one."""
+"""Pareto fronts consist of the right plants, and a reader can choose a plant
+in the report."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def history(tmp_path: Path) -> Path:
 def test_non_dominated_agrees_with_a_published_sorting(
     signs: tuple[int, ...], digits: int
 ) -> None:
-    """With one digit many rows are equal in an objective, or in all."""
+    """With one digit, many rows have equal values in one objective or in all."""
     random = np.random.default_rng(len(signs))
     rows = random.random((120, len(signs))).round(digits)
     expected = NonDominatedSorting().do(
@@ -74,13 +74,12 @@ def test_members_dominated_after_the_search_are_reported(
     assert front.kept["lai"].values.tolist() == LAIS[1:3]
     gain = front.pair(0).gain_in("absorbed_par")
     assert gain.mean == pytest.approx(1.0)
-    # The error is paired: most of the noise is shared.
+    # The error is paired, because both plants share most of their noise.
     assert 0 < gain.standard_error < 0.5 * 100 * 2**0.5 * ERROR / 4 / 11
     area = front.pair(0).gain_in("lai")
     assert area.mean == pytest.approx(100 * (3.0 / LAI - 1))
     assert area.standard_error == 0
-    # Quantities that are no objectives have the error of independent
-    # estimates.
+    # For quantities that are not objectives the plants count as independent.
     soil = front.pair(0).gain_in("soil_fraction")
     assert soil.mean == pytest.approx(100 * (1.2 - 0.11) / 1.2 - 100)
     assert soil.standard_error > gain.standard_error
@@ -140,8 +139,8 @@ def test_plants_along_the_front_are_drawn(history: Path) -> None:
 
 
 def test_a_front_member_has_the_same_number_everywhere(tmp_path: Path) -> None:
-    """This holds though plants of the figure are in the order of the first
-    objective, and finalists in the order of their last generation."""
+    """Plants in the figure are ordered by the first objective, finalists by
+    their last generation; the numbers of plants must agree nevertheless."""
     for seed in (1, 2):
         path = tmp_path / f"case_r{seed}.h5"
         make(path, attributes={"case": f"a_r{seed}"})

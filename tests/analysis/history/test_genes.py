@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Genes are called by their names."""
+"""Genes are identified by their names."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ TRAITS = ["fold", "droop", "fold", "droop", "height", *["size_profile"] * 3]
 
 @pytest.fixture
 def genes() -> Genes:
-    """Returns two leaves with two traits each, a plant's trait, and a
-    profile."""
+    """Returns the genes of two leaves with two traits each, of a trait of the
+    whole plant, and of a profile."""
     count = len(TRAITS)
     return Genes(
         tuple(f"gene{i}" for i in range(count)),
@@ -34,7 +34,7 @@ def test_traits_have_a_gene_per_leaf_plant_or_profile_point(
     assert [genes.kind(t) for t in ("fold", "height", "size_profile")] == [
         *("leaf", "plant", "profile"),
     ]
-    # Genes that are not free do not count.
+    # Genes that are not free are excluded.
     assert genes.bred("leaf") == ["droop"]
     assert genes.bred("plant") == ["height"]
     assert genes.bred("profile") == ["size_profile"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A history gives the contents of its file."""
+"""A History returns the contents of its file."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_only_committed_generations_count(drained: Path) -> None:
     best = [absorbed(0, last), absorbed(1, last)]
     assert generations.best.values == pytest.approx(best, rel=1e-15)
     assert list(generations.best.standard_error) == [ERROR, ERROR]
-    # Slot 5 of generation 1 failed.
+    # Slot 5 of generation 1 has failed.
     good = [absorbed(1, s) for s in range(POPULATION) if s != 5]
     assert generations.mean.values[1] == pytest.approx(np.mean(good))
     assert generations.spread.values[1] == pytest.approx(np.std(good, ddof=1))
@@ -111,7 +111,7 @@ def test_rows_have_parents_and_computing_time(finished: Path) -> None:
     assert rows.origin[0] == ORIGIN["baseline"]
     assert np.count_nonzero(rows.origin == ORIGIN["elite"]) == 2 * 5
     assert rows.parents.shape == (len(rows), 2)
-    # Parents are rows, not slots.
+    # Parents are stated as rows, not as slots.
     assert list(rows.parents[2 * POPULATION]) == [POPULATION, POPULATION + 1]
     assert list(rows.parents[0]) == [-1, -1]
     done = rows.done
@@ -162,8 +162,8 @@ def test_without_common_randomisations_errors_are_independent(
     drained: Path,
 ) -> None:
     with open_history(drained) as history:
-        # The plants are the baseline of generation 0 and the best of
-        # generation 1.
+        # The pair consists of the baseline of generation 0 and the best plant
+        # of generation 1.
         pair = history.comparison()
     assert pair is not None and not pair.is_paired
     expected = math.hypot(ERROR, ERROR)
@@ -181,7 +181,7 @@ def test_rows_are_ranked_by_failure_violation_and_objective(
             (made.fail if slot == 5 else made.record)(0, slot)
         rows = made.file["evaluations"]
         rows["objectives"][:5, 0] = [9.0, -2.0, 0.5, 4.0, -9.0]
-        # A violation counts more than any objective.
+        # A constraint violation takes precedence over all objectives.
         rows["violation"][:5] = [0.3, 0.0, 0.0, 0.0, 0.1]
         made.close()
         with open_history(path) as history:
@@ -197,7 +197,7 @@ def test_generations_may_differ_in_size(tmp_path: Path) -> None:
     made.evolve(3)
     made.close()
     with h5py.File(tmp_path / "sizes.h5", "r+") as file:
-        # The last two rows of generation 1 are now the first of the next.
+        # The last two rows of generation 1 now belong to generation 2.
         file["generations/count"][:3] = [12, 10, 14]
         file["generations/first_row"][2] = 22
         seal(file)
@@ -301,7 +301,8 @@ def test_the_best_plants_are_distinct_and_sorted(finished: Path) -> None:
     with open_history(finished) as history:
         latest = history.latest()
     top = latest.top(10)
-    # Slot 5 failed, so that of twelve the fittest ten are 11 ... 6, 4 ... 1.
+    # Slot 5 failed, so that the fittest ten of the twelve plants are in slots
+    # 11 ... 6 and 4 ... 1.
     assert list(top.slot) == [11, 10, 9, 8, 7, 6, 4, 3, 2, 1]
     assert len(latest.top(100)) == POPULATION - 1
     twice = latest.take(np.array([3, 11, 3, 11, 7]))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Histories that changed after they were written are noticed."""
+"""Histories that were modified after they were written are detected."""
 
 from __future__ import annotations
 
@@ -104,8 +104,8 @@ def test_checksums_of_live_and_killed_files_are_verified(
 
 
 def test_verifying_checksums_takes_little_time(tmp_path: Path) -> None:
-    """The comparison reads at least 50 MB a second, measured with quantities
-    that fill 20 MB."""
+    """Verification reads at least 50 MB per second, measured on quantities of
+    20 MB."""
     path = tmp_path / "large.h5"
     made = MadeHistory(path)
     made.evolve(8)

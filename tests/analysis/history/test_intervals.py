@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Intervals of gains hold the search, and a plant has one number."""
+"""Intervals of gains include differences between searches, and a plant has the
+same value everywhere."""
 
 from __future__ import annotations
 
@@ -48,7 +49,8 @@ def make(
 def test_intervals_of_gains_include_the_scatter_between_searches(
     tmp_path: Path, seeds: tuple[int, int]
 ) -> None:
-    """A single search takes its scatter from other searches, and says so."""
+    """For a single search the scatter is assumed from other searches, and the
+    text states this."""
     place = (("ames", 42.0), ("edmonton", 53.5))
     for (site, latitude), count in zip(place, seeds):
         for seed in range(1, count + 1):
@@ -99,14 +101,14 @@ def test_equal_searches_do_not_exclude_a_better_optimum(
     ends = f"{gain.below:.2f}", f"{gain.above:.2f}"
     assert gain.number() == f"{sign * 10:.2f} −{ends[0]} +{ends[1]}"
     assert gain.is_sure
-    # The interval of searches with more scatter is as wide above the mean as
-    # below.
+    # If searches differ more, the interval extends equally far above and below
+    # the mean.
     apart = gain_interval([Estimate(x, 0.1, "%") for x in (5.0, 15.0)], sign)
     assert apart.below == apart.above and not apart.is_sure
 
 
 def test_the_best_plant_has_the_same_number_everywhere(tmp_path: Path) -> None:
-    """The seeds of a case evaluate the same baseline with other noise."""
+    """Each seed evaluates the same baseline with different noise."""
     for seed, shift in enumerate((0.0, 0.1, 0.2), start=1):
         for latitude in (10.0, 20.0):
             made = MadeHistory(
@@ -153,7 +155,7 @@ def test_the_best_plant_has_the_same_number_everywhere(tmp_path: Path) -> None:
 
 
 def test_the_interval_of_several_seeds_is_from_their_scatter() -> None:
-    """The gains are those of four searches; their standard errors contain only
+    """The gains are those of four searches; their standard errors include only
     the noise of the light."""
     gains = [
         Estimate(mean, error, "%")
@@ -163,11 +165,11 @@ def test_the_interval_of_several_seeds_is_from_their_scatter() -> None:
         )
     ]
     gain = interval(gains)
-    # This is Student's t with three degrees of freedom.
+    # The interval is Student's t with three degrees of freedom.
     scatter = np.std([x.mean for x in gains], ddof=1) / 2
     assert gain.below == pytest.approx(3.1824 * scatter, rel=1e-4)
     assert str(gain) == "3.6 ± 1.6 %"
-    # Seeds that agree by chance do not take the noise of the light away.
+    # If seeds agree by chance, the interval is that of the noise of the light.
     alike = interval([Estimate(3.0, 0.2), Estimate(3.0, 0.2)])
     assert alike.below == pytest.approx(1.96 * 0.2 / 2**0.5)
 

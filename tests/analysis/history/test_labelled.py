@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Histories in every state are read as labelled arrays."""
+"""Histories in any state can be read as labelled arrays."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ from ideotype.history import (
 
 
 def fingerprint(path: Path) -> tuple[str, int]:
-    """Returns content and time of the last change."""
+    """Returns the content and the modification time of a file."""
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
     return digest, path.stat().st_mtime_ns
 
@@ -91,7 +91,7 @@ def test_every_kill_leaves_the_recorded_rows(tmp_path: Path) -> None:
 def test_histories_are_read_with_any_setting_of_file_locking(
     writer: WriterProcess, locking: str
 ) -> None:
-    """The file is read while its writer lives, and after its kill."""
+    """The file is read while its writer lives, and after the writer is killed."""
     writer.do("evolve 1")
     program = (
         "import sys; from ideotype.history import open_history\n"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Indices from the designs of the program agree with known indices of test
-functions."""
+"""Indices computed from the program's designs agree with the known indices of
+test functions."""
 
 import os
 import subprocess
@@ -42,7 +42,7 @@ CASES = [
 
 
 def design(method, genes, together, samples):
-    """Returns the rows of the program's design in the order of histories."""
+    """Returns the rows of the program's design, in the order of histories."""
     build = Path(os.environ["IDEOTYPE_EXECUTABLE"]).parents[1]
     words = (method, genes, together, samples, LEVELS)
     run = subprocess.run(
@@ -65,7 +65,8 @@ def design(method, genes, together, samples):
 
 
 def analyse(made, function, spread=0.0, error=0.0):
-    """Makes rows with normal noise and the standard errors of this noise."""
+    """Evaluates the function at the rows, with normal noise and stated
+    standard errors, and returns the indices."""
     x = made.points.reshape(-1, made.points.shape[2])
     y = function(x) + spread * np.random.default_rng(5).normal(size=len(x))
     y = y.reshape(made.points.shape[:2])

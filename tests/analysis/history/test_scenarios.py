@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants optimised for several scenarios are reported in each scenario."""
+"""Plants optimised over several scenarios are reported for each scenario."""
 
 from __future__ import annotations
 
@@ -61,8 +61,8 @@ CASES = {
 
 
 def make(folder: Path, over: str = "", **place: float) -> None:
-    """Makes a case that may have two scenarios, of which the second has half
-    the light."""
+    """Makes a case, optionally with two scenarios; the light of the second is
+    half that of the first."""
     made = MadeHistory(
         folder / f"{len([*folder.iterdir()])}.h5",
         resolved=resolved(*[over] * bool(over)),

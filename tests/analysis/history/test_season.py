@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A season of weather is written by the program, and drawn."""
+"""The program writes a season of weather, and figures show it."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _WEATHER = "weather/bondville_2011_0721_0920.csv"
 
 @pytest.fixture(scope="module")
 def campaign(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives the tiny campaign under ten days of Bondville."""
+    """Provides the tiny campaign with ten days of weather at Bondville."""
     folder = tmp_path_factory.mktemp("season")
     path = write_campaign(folder, 3)
     text = path.read_text()
@@ -59,7 +59,7 @@ def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
     assert set(range(6, 19)) <= set(hours.labels)
     mean = 3600 * hours.values.sum() / 1e6
     assert mean == pytest.approx(best.objective.mean, rel=1e-9)
-    # The number is the light of the weather file.
+    # The expected number follows from the light in the weather file.
     weather = season.parents[1] / _WEATHER
     table = np.genfromtxt(weather, delimiter=",", skip_header=1, max_rows=240)
     mol = table[:, 1].sum() * 3600 / 10 / 1e6
@@ -71,7 +71,7 @@ def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
 def test_hours_are_on_the_clock_of_the_site(
     campaign: Path, season: Path, tmp_path: Path
 ) -> None:
-    """The file of this campaign is in UTC-6, and so is its site."""
+    """Both the weather file of this campaign and its site are in UTC-6."""
     late = campaign.with_name("late.toml")
     late.write_text(
         campaign.read_text()
@@ -80,7 +80,7 @@ def test_hours_are_on_the_clock_of_the_site(
     )
     output_of("run", late, "--out", tmp_path)
     (new,) = (tmp_path / "tiny").glob("*.h5")
-    # Version 0.2.0 wrote the hours so.
+    # Version 0.2.0 wrote the hours on the clock of the weather file.
     old = Path(shutil.copy(new, tmp_path / "old.h5"))
     with h5py.File(old, "r+") as file:
         for group in ("evaluations", "final"):

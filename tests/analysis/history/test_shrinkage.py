@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The value that a generation lets expect of its best plant, against known
-values and against the program's."""
+"""The expected value of the best plant of a generation agrees with known
+values and with the program."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ DRAWS = 8
 
 @pytest.fixture(scope="module")
 def rows(tmp_path_factory: pytest.TempPathFactory) -> Rows:
-    """Gives twelve rows of a generation; tests replace their numbers."""
+    """Provides twelve rows of a generation, with values that tests replace."""
     path = tmp_path_factory.mktemp("made") / "a.h5"
     made = MadeHistory(path)
     made.evolve(1)
@@ -35,8 +35,8 @@ def rows(tmp_path_factory: pytest.TempPathFactory) -> Rows:
 def noisy(
     rows: Rows, random: np.random.Generator, noise: float, shared: float
 ) -> np.ndarray:
-    """Gives rows known values with noise, of which a part is shared, and
-    returns the values."""
+    """Sets the values of rows to known values plus partly shared noise, and
+    returns the known values."""
     n = len(rows)
     values = 10 + random.normal(size=n)
     scale = np.sqrt(DRAWS)
@@ -94,8 +94,8 @@ def test_exact_rows_are_not_shrunken_and_few_rows_have_their_mean(
 
 
 def test_the_gain_of_a_running_case_is_shrunken(tmp_path: Path) -> None:
-    """Until its end a case has the expected gain, marked as provisional; then
-    that of the finalists."""
+    """A running case shows the expected gain, marked as provisional; a
+    finished case shows the gain of the finalists."""
     made = MadeHistory(tmp_path / "a.h5")
     made.evolve(3)
     with open_history(tmp_path / "a.h5") as history:

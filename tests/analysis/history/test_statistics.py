@@ -75,9 +75,9 @@ def test_gains_of_independent_estimates_have_independent_errors() -> None:
 
 
 def test_estimates_with_common_noise_have_paired_errors() -> None:
-    """Two plants with strong common noise are evaluated many times: the
-    scatter of their difference and gain equals the error of a single
-    evaluation."""
+    """Two plants with strong common noise are evaluated many times. The
+    standard deviation of their difference, and of their gain, equals the
+    standard error that a single evaluation states."""
     draw, runs, count = np.random.default_rng(2), 4000, 16
     common = draw.normal(0.0, 0.4, (runs, 1, count))
     draws = common + draw.normal(0.0, 0.1, (runs, 2, count))
@@ -98,6 +98,6 @@ def test_estimates_with_common_noise_have_paired_errors() -> None:
             [[each.standard_error**2 for each in both] for both in figures]
         )
         paired, unpaired = np.sqrt(squares.mean(0))
-        # A scatter of 4000 is known to 1.1 %.
+        # A standard deviation estimated from 4000 values is accurate to 1.1 %.
         assert paired == pytest.approx(scatter, rel=0.05)
         assert unpaired > 3 * paired

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many histories are read together."""
+"""Several histories are read together."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def test_the_interval_of_the_gain_is_from_its_seeds(sweep: Path) -> None:
         gain = study.cases()[0].gain()
     seeds = np.array([final_absorbed(2) - BASELINE + s for s in SHIFTS])
     assert gain.mean == pytest.approx(seeds.mean())
-    # This is Student's t with one degree of freedom.
+    # The interval is Student's t with one degree of freedom.
     half = 12.7062 * seeds.std(ddof=1) / np.sqrt(2)
     assert (gain.below, gain.above) == pytest.approx((half, half), rel=1e-5)
     assert (gain.unit, gain.seeds) == ("MJ m-2 day-1", 2)
@@ -117,8 +117,8 @@ def test_seeds_that_agree_by_chance_keep_their_measured_error() -> None:
 def test_the_interval_has_the_t_quantile_of_the_number_of_seeds() -> None:
     seeds = [Estimate(float(x), 0.0) for x in range(61)]
     scatter = np.arange(61).std(ddof=1) / np.sqrt(61)
-    # This is Student's t with 60 degrees of freedom (NIST/SEMATECH, table
-    # 1.3.6.7.2).
+    # The quantile is Student's t with 60 degrees of freedom (NIST/SEMATECH,
+    # table 1.3.6.7.2).
     assert interval(seeds).below == pytest.approx(
         2.000 * scatter, abs=5e-4 * scatter
     )
@@ -132,7 +132,7 @@ def test_intervals_of_gains_have_95_percent_coverage() -> None:
         seeds = [Estimate(x, 0.0) for x in draw.normal(size=3)]
         found = interval(seeds)
         hits += found.low <= 0 <= found.high
-    # Four standard errors of a share of 0.95 are allowed.
+    # The tolerance is four standard errors of a frequency of 0.95.
     assert abs(hits / runs - 0.95) < 4 * np.sqrt(0.95 * 0.05 / runs)
 
 
@@ -148,8 +148,8 @@ def test_a_saturated_case_is_distinguished_from_one_with_headroom(
         )
         assert not case.is_saturated()
     assert room.mean == pytest.approx(incident * (stalk + soil))
-    # The leaves take so much that less than the standard error is left to
-    # stalks and soil.
+    # The leaves absorb so much that stalks and soil absorb less than the
+    # standard error.
     path = tmp_path / "full.h5"
     made = MadeHistory(path, shift=12.2 - 0.001 - final_absorbed(2))
     made.evolve(1)

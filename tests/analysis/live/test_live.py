@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Live pages as seen by a client program: permitted requests, and served
-files."""
+"""Live pages seen by a client program: which requests are permitted, and which
+files are served."""
 
 from __future__ import annotations
 

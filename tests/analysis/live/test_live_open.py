@@ -152,7 +152,7 @@ def test_equal_cases_are_named_by_their_folders(
             "(long)",
             "(results)",
         ]
-    # The page of the present folder has the name of the folder.
+    # The title of the page is the name of the current folder.
     monkeypatch.chdir(tmp_path)
     assert Folder(Path()).summarise()["folder"] == tmp_path.name
 

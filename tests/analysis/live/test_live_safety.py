@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Live pages in a browser where something goes wrong: other tabs, other
-sites, a program that is gone, and long use."""
+"""Live pages in a browser under difficulties: other tabs, other sites, a
+program that has ended, and long use."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_tabs_do_not_disturb_each_other(day: Served, tmp_path: Path) -> None:
         settle(phone)
         assert phone.value("page.shown.genome") == genome
         second = phone.tab
-        # Both pages send requests at once.
+        # Both pages send requests at the same time.
         ask = (
             f"byId('s-{SHAPE}').value = %s;"
             f"byId('s-{SHAPE}').dispatchEvent(new Event('input'))"
@@ -84,7 +84,7 @@ def test_the_page_reports_the_end_of_the_program(
         phone.value(f"byId('s-{SHAPE}').value = 60;"
                     f"byId('s-{SHAPE}').dispatchEvent(new Event('input'))")  # fmt: skip
         assert phone.value("byId('progress').hidden")
-        # Only connections that fail for good appear on the console.
+        # Only connections that fail permanently are reported on the console.
         assert all("ERR_CONNECTION_REFUSED" in e for e in phone.errors)
 
 
@@ -99,7 +99,8 @@ def test_a_wrong_token_is_explained(day: Served, tmp_path: Path) -> None:
 def test_pages_of_other_sites_learn_nothing(
     day: Served, tmp_path: Path
 ) -> None:
-    """A page of another server of this machine knows even the token."""
+    """A page served by another server on this machine is tested; it even knows
+    the token."""
     (tmp_path / "site").mkdir()
     (tmp_path / "site" / "index.html").write_text("<title>evil</title>")
     handler = functools.partial(
@@ -150,12 +151,13 @@ def test_pages_of_other_sites_learn_nothing(
 
 
 def test_long_use_leaves_nothing_behind(day: Served, tmp_path: Path) -> None:
-    """Page and program after 200 moves, and after 1,000 more."""
+    """The memory of page and program after 200 moves is compared with that
+    after 1,000 more."""
 
     with shown(day, tmp_path) as phone:
 
         def drag(count: int) -> None:
-            # A page draws sixty times in a second, and a mouse moves as often.
+            # A page draws sixty times per second, and a mouse moves as often.
             phone.value(
                 f"""(async () => {{
                   const s = byId("s-{SHAPE}");

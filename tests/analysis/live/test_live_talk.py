@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The talk of `ideotype play` with a page: right numbers, and the end of work
-that is not needed."""
+"""The messages between `ideotype play` and a page: numbers are right, and
+unnecessary work is cancelled."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ DAY = str(CAMPAIGNS / "ames.toml")
 
 
 def test_numbers_are_those_of_evaluations(day: Served) -> None:
-    """Means over the seeds 1, 2, ... of single evaluations."""
+    """The numbers are means of single evaluations with the seeds 1, 2, ..."""
 
     async def ask(talk: Talk) -> tuple[dict, dict, list]:
         genome = list(talk.hello["genome"])
@@ -55,7 +55,7 @@ def test_numbers_are_those_of_evaluations(day: Served) -> None:
     if count >= ENOUGH:
         expected = values.std(ddof=1) / np.sqrt(count)
         assert error == pytest.approx(expected, rel=1e-5)
-    # A machine that has much else to do may refine nothing.
+    # On a busy machine there may be no time for refinement.
     assert count < 3 or error < first["numbers"]["absorbed_par"][1]
     reference = last["reference"]["absorbed_par"][0]
     apart = last["differences"]["absorbed_par"][0]
@@ -144,7 +144,8 @@ HOSTILE = [
 
 
 def test_hostile_messages_are_answered(day: Served) -> None:
-    """None ends the link or the work of the program, or leaves a traceback."""
+    """No message may close the connection, cancel the work of the program or
+    cause a traceback."""
 
     async def ask(talk: Talk) -> None:
         genome = json.dumps(talk.hello["genome"])
@@ -213,7 +214,8 @@ def test_a_denser_field_has_more_leaf(day: Served) -> None:
 
 
 def test_many_moves_leave_nothing_behind(day: Served) -> None:
-    """Memory of the program after 100 moves and after as many more."""
+    """The memory of the program after 100 moves is compared with that after
+    100 more."""
 
     async def move(talk: Talk) -> None:
         genome = talk.hello["genome"]
@@ -253,7 +255,7 @@ def test_a_plant_that_was_saved_is_opened_again(
     genome = opened.genome.copy()
     genome[0] = 0.9
     names = list(Stand(opened.base).genes["name"])
-    # A search turns leaves beyond north.
+    # A search may turn azimuths beyond 0 deg.
     genome[names.index("leaf02_azimuth")] = -20
     link = http.client.HTTPConnection("127.0.0.1", day.port, timeout=60)
     own = f"http://127.0.0.1:{day.port}"
@@ -296,7 +298,7 @@ def test_errors_of_differences_use_the_same_random_numbers() -> None:
 
 
 def test_the_program_ends_at_once_while_it_searches() -> None:
-    """A search of 200 plants takes longer than that."""
+    """A search of 200 plants would take longer than the permitted time."""
     with served("play", "maize") as page:
 
         async def ask(talk: Talk) -> float:
@@ -313,9 +315,9 @@ def test_the_program_ends_at_once_while_it_searches() -> None:
 
 
 def test_rough_answers_are_right_within_their_errors() -> None:
-    """A season answers by a coarse stand first; the refined numbers lie within
-    three standard errors of the rough numbers, except for at most one of eight
-    moves."""
+    """In a season, the first answers come from a coarse stand. Refined numbers
+    must lie within three standard errors of them, except for at most one of
+    eight moves."""
     told = ("absorbed_par", "net_assimilation", "carbon_balance", "fapar",
             "lai")  # fmt: skip
 
@@ -326,7 +328,7 @@ def test_rough_answers_are_right_within_their_errors() -> None:
         levers = talk.hello["levers"]
         found = []
         for number in range(2, 10):
-            # The anchor is known a moment after the last numbers are told.
+            # The anchor is stored shortly after the last numbers are sent.
             await asyncio.sleep(0.5)
             lever = levers[3 * number]
             genome[3 * number] = (lever["lower"] + lever["upper"]) / 2

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page of `ideotype play` in a browser: its views, changes and saved
-files. test_live.py and test_talk.py talk with the program without a page."""
+files. test_live.py and test_live_talk.py communicate with the program without
+a page."""
 
 from __future__ import annotations
 
@@ -32,7 +33,7 @@ SHAPE = "length_profile_2"
 def phone(
     day: Served, tmp_path: Path, request: pytest.FixtureRequest
 ) -> Iterator[Phone]:
-    """Gives the page at each width."""
+    """Provides the page at each width."""
     with shown(day, tmp_path, request.param) as found:
         yield found
 
@@ -134,7 +135,7 @@ def test_no_button_covers_the_scale(phone: Phone) -> None:
 
 
 def test_the_sticky_box_shows_whole_lines(phone: Phone) -> None:
-    # A season has several goals.
+    # A page about a season has several goals.
     phone.value(
         "page.hello.goals = page.hello.quantities.slice(0, 3)"
         ".map((q) => q.name); showStrip(field.numbers)"
@@ -212,7 +213,7 @@ def test_panels_shade_the_field(phone: Phone) -> None:
 def test_density_rows_place_and_time_change_the_light(phone: Phone) -> None:
     click(phone, "[data-tab=stand]")
     for name, part in (
-        # A dense stand absorbs nearly all light, whatever its direction.
+        # A dense stand absorbs nearly all light at any row direction.
         *(("direction", 0.3), ("density", 0.8), ("row", 0.2)),
         *(("latitude", 0.2), ("day", 0.1)),
     ):

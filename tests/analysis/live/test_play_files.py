@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of `ideotype play` in a browser: files that it opens and saves,
-plants that grow, several kinds of plants, and the search."""
+"""The page of `ideotype play` in a browser: files that are opened and saved,
+growing plants, several kinds of plants, and the search."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ HOSTILE = "<img src=x onerror='window.hacked=1'>"
 
 
 def arrived(folder: Path, pattern: str) -> Path:
-    """Returns a file that the page has saved."""
+    """Waits for a file that the page saves, and returns it."""
     end = time.monotonic() + 30
     while not (found := list(folder.glob(pattern))):
         assert time.monotonic() < end, list(folder.iterdir())
@@ -56,7 +56,7 @@ def test_a_plant_its_field_and_a_picture_are_saved(tmp_path: Path) -> None:
     for again in (crop, campaign):
         found = Stand(again.base).mesh(again.genome)
         assert found.vertices == pytest.approx(mesh.vertices, abs=1e-5)
-    # The last bytes may still be written.
+    # The browser may still be writing the file.
     picture = arrived(folder, "*.png").read_bytes()
     with Image.open(io.BytesIO(picture)) as image:
         assert image.width == size[0] and image.height > size[1]

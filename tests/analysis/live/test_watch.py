@@ -25,8 +25,8 @@ def folder(
     finished: Path,
     tiny_run: Path,
 ) -> Path:
-    """Gives finished, stopped and broken histories, and a history whose names
-    are HTML."""
+    """Provides finished, stopped and broken histories, and a history with HTML
+    in its names."""
     path = tmp_path_factory.mktemp("runs")
     (path / "a_real.h5").write_bytes(tiny_run.read_bytes())
     (path / "case.h5").write_bytes(finished.read_bytes())
@@ -124,7 +124,7 @@ def test_cases_are_chosen_with_keys(page: Served, tmp_path: Path) -> None:
         phone.wait("seen.chosen === 'case.h5'")
         at = phone.value("seen.state && performance.now()")
         phone.wait(f"performance.now() > {at} + 4500")
-        # The list was made again, and the focus stayed.
+        # The list was rebuilt, and the focus remained.
         assert phone.value("document.activeElement.dataset.file") == "case.h5"
 
 

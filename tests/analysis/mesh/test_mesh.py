@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python evaluates the light in meshes."""
+"""Meshes are evaluated from Python."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BLACK = {"leaf": (0.0, 0.0), "soil_albedo": 0.0}
 
 
 def half_cover() -> ideotype.Canopy:
-    """Returns a black square of 1 m2 over 2 m2 of ground."""
+    """Returns a black square of 1 m2 above 2 m2 of ground."""
     return ideotype.mesh(SQUARE, [[0, 1, 2, 3]])
 
 
@@ -87,7 +87,7 @@ def test_many_faces_take_little_time() -> None:
 def test_a_mesh_agrees_bitwise_with_the_command_line(tmp_path: Path) -> None:
     stand = ideotype.Stand.from_campaign(CAMPAIGNS / "ames_quick.toml")
     plant = stand.mesh(stand.baseline)
-    # With noise, quadrilaterals are not plane.
+    # Noise makes the quadrilaterals non-planar.
     noise = np.random.default_rng(1).uniform(0, 5e-4, plant.vertices.shape)
     vertices = plant.vertices + noise
     path = tmp_path / "plant.obj"

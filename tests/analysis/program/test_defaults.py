@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The defaults that documents and the schema state are those that campaigns
-have: a key with its default changes nothing."""
+"""The defaults stated in documents and in the schema are the defaults of
+campaigns: stating a default explicitly changes nothing."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ WHOLE = json.loads(
     ).read_text()
 )
 SCHEMA = {
-    # Tables that occur at several places are defined once.
+    # A table that is used at several positions is defined once.
     table: WHOLE["$defs"][schema["$ref"].rpartition("/")[2]]
     if "$ref" in schema
     else schema
@@ -69,14 +69,14 @@ RATES = {
 
 
 def stated_rate(key: str, model: str) -> float:
-    """Returns the default of a rate that its description states."""
+    """Returns the default of a rate as its description states it."""
     about = SCHEMA["photosynthesis"]["properties"][key]["description"]
     text = about.split("; default: ")[1]
     match = re.search(rf"([\d.]+) (?:of the|by) {model}", text, re.IGNORECASE)
     if match:
         return float(match[1])
     number = float(text.split()[0].rstrip(","))
-    # The respiration of the hyperbola is a share of amax.
+    # The respiration of the hyperbola is stated as a share of amax.
     share = stated_rate("amax", model) if "amax" in text else 1
     return number * share
 

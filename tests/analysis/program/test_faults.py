@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lets calls fail in a small campaign: the short form of tests/faults."""
+"""Makes single calls fail in a small campaign: a short form of tests/faults."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_no_fault_loses_or_changes_a_row(
         assert not verdict.wrong, (fault, verdict)
         at = (fault.kind, fault.mode)
         outcomes.setdefault(at, Counter())[verdict.outcome] += 1
-    # Interrupted and partial transfers of input are no failures at all.
+    # Interrupted or partial reads must have no effect.
     for at in {("read", "EINTR"), ("read", "short")} & outcomes.keys():
         if file is not None:
             assert set(outcomes[at]) == {"right"}, at

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The program gives the figures of tests/data/golden, bit for bit."""
+"""The results of the program are bitwise those in tests/data/golden."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""For any content of a file, its reader returns this content or raises one
+"""For a file of any content, its reader returns this content or raises one
 error that names the file; hypothesis generates the files."""
 
 from __future__ import annotations
@@ -59,8 +59,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @st.composite
 def spoilt(draw: st.DrawFn, texts: list[str]) -> str:
-    """Draws one of the texts, parts of which are replaced by junk or by parts
-    of another text."""
+    """Draws one of the texts, with some parts replaced by random text or by
+    parts of another of the texts."""
     text = draw(st.sampled_from(texts))
     for _ in range(draw(st.integers(1, 4))):
         at = draw(st.integers(0, len(text)))
@@ -84,8 +84,8 @@ OTHERS = {("light", "dates"), ("light", "stages"), ("spacing", "density")}
 
 
 def numeric_keys() -> dict[tuple[str, str], dict[str, Any]]:
-    """Returns the schema of each key that is one number with limits, of the
-    tables that every campaign may have, by table and key."""
+    """Returns the schemas of keys that are single numbers with limits, by
+    table and key, for the tables that every campaign may contain."""
     tables = (
         *("site", "spacing", "field", "plant", "optics", "light", "search"),
         *("constraints", "stop", "final", "day"),
@@ -105,8 +105,8 @@ KEYS = numeric_keys()
 
 @st.composite
 def changed_keys(draw: st.DrawFn) -> dict[tuple[str, str], float]:
-    """Draws keys and their values: in the range, at an end of it, or near
-    it."""
+    """Draws keys with values inside their range, at its ends, or close to its
+    ends."""
     chosen = draw(
         st.lists(
             st.sampled_from(sorted(KEYS)), min_size=1, max_size=3, unique=True
@@ -161,7 +161,8 @@ def test_resolved_campaigns_keep_each_number(
         place = read.get(table, {})
         kept = (place[0] if isinstance(place, list) else place).get(key)
         if kept is None:
-            # Only a default, which the schema names, may be left out.
+            # A key may be omitted from the resolved campaign only if it has
+            # its default, which the schema states.
             assert f"; default: {value:g}" in KEYS[table, key]["description"]
         else:
             assert kept == value, f"{table}.{key}"
@@ -177,8 +178,8 @@ def test_the_error_for_a_spoilt_campaign_names_the_file(text: str) -> None:
 
 @st.composite
 def rectangles(draw: st.DrawFn) -> tuple[str, np.ndarray, float]:
-    """Draws an OBJ file of rectangles and triangles in any form of its lines,
-    its vertices [m], and their one-sided area [m2]."""
+    """Draws an OBJ file of rectangles and triangles, written in any permitted
+    form, its vertices [m], and the one-sided area of its faces [m2]."""
     size = st.floats(0.01, 1)
     lines, vertices, area = ["# made"], [], 0.0
     for _ in range(draw(st.integers(1, 5))):
@@ -196,7 +197,7 @@ def rectangles(draw: st.DrawFn) -> tuple[str, np.ndarray, float]:
             "v " + " ".join(map(repr, x.tolist())) for x in corners[:count]
         ]
         places = range(first, first + count)
-        if draw(st.booleans()):  # from the last vertex back
+        if draw(st.booleans()):  # indices from the last vertex backwards
             words = [str(i - len(vertices)) for i in places]
         else:
             words = [str(i + 1) for i in places]
@@ -225,7 +226,7 @@ def test_objects_have_the_surfaces_of_their_file(
     faces = corners[np.reshape(read["faces"], (-1, 4))]
     sides = np.cross(faces[:, 2] - faces[:, 0], faces[:, 3] - faces[:, 1])
     assert np.linalg.norm(sides, axis=1).sum() / 2 == pytest.approx(area)
-    # The reader's decimals may differ in their last digit.
+    # The decimals of the reader may differ in the last digit.
     used = np.unique(corners.round(12), axis=0)
     assert used == pytest.approx(np.unique(vertices.round(12), axis=0))
 
@@ -239,7 +240,7 @@ def test_the_error_for_a_spoilt_object_names_the_file(
     try:
         with_object(folder, text)
     except Error as error:
-        # Wrong sizes of objects are problems of the campaign.
+        # Invalid sizes of objects are reported as problems of the campaign.
         assert "object" in str(error)
 
 
@@ -257,7 +258,7 @@ to = 1981-07-03
 def with_weather(
     folder: Path, lines: list[str], columns: str = ""
 ) -> dict[str, Any]:
-    """Returns the weather of a campaign that reads a table."""
+    """Returns the weather that a campaign reads from a table."""
     (folder / "weather.csv").write_text("\n".join(lines) + "\n", newline="")
     tables = tomllib.loads(SMALL)
     del tables["day"]
@@ -320,7 +321,7 @@ def test_weather_is_independent_of_clock_and_units(
 
 
 def by_instant(read: dict[str, Any]) -> dict[float, list[float]]:
-    """Returns light, temperature and humidity by hours of UTC."""
+    """Returns light, temperature and humidity by the hour in UTC."""
     names = ("beam", "diffuse", "temperature", "humidity")
     rows = zip(*(read[name] for name in names))
     hours = [
@@ -354,8 +355,8 @@ PER_METRE = {"_m": 1, "_cm": 100, "_mm": 1000}
 
 @st.composite
 def leaf_tables(draw: st.DrawFn) -> tuple[str, list[dict[str, float]]]:
-    """Draws a table of measured leaves, with its columns, lines and units in
-    any form, and the leaves, from the lowest."""
+    """Draws a table of measured leaves, with columns, lines and units in any
+    permitted form, and its leaves, lowest first."""
     leaves, height = [], 0.0
     for _ in range(draw(st.integers(1, 8))):
         leaf = {name: draw(st.floats(*x)) for name, x in LEAF.items()}
@@ -463,9 +464,10 @@ def test_spoilt_weather_files_are_converted_or_refused(
 
 @st.composite
 def damages(draw: st.DrawFn) -> bytes:
-    """Draws a history that is cut short, or in which bytes are wrong."""
+    """Draws a history that is truncated or contains wrong bytes."""
     content = SAMPLE.read_bytes()
-    # Most of the possible faults are in the headers at the beginning.
+    # The headers at the beginning are tested more often, because most faults
+    # are possible there.
     near = st.integers(0, 30_000)
     at = draw(st.one_of(near, near, st.integers(0, len(content) - 1)))
     if draw(st.integers(0, 9)) == 0:

@@ -2,8 +2,8 @@
 """The JSON Schema of campaigns and the program accept and refuse the same
 files.
 
-IDEOTYPE_WRITE_GOLDEN=1 writes the schema of the package again, after a change
-of keys."""
+IDEOTYPE_WRITE_GOLDEN=1 rewrites the schema of the package after a change of
+keys."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ other files, and of names that the rest of a file determines."""
 
 
 def plain(value: Any) -> Any:
-    """Returns TOML as JSON, with dates and times as texts."""
+    """Returns TOML data as JSON data: dates and times become texts."""
     if isinstance(value, dict):
         return {key: plain(each) for key, each in value.items()}
     if isinstance(value, list):
@@ -121,7 +121,8 @@ def read(path: Path) -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def campaigns() -> Draft202012Validator:
-    """Gives the validator of campaigns by the schema that is printed."""
+    """Provides a validator of campaigns, by the schema that the program
+    prints."""
     schema = json.loads(output_of("schema"))
     Draft202012Validator.check_schema(schema)
     return Draft202012Validator(schema)
@@ -129,7 +130,7 @@ def campaigns() -> Draft202012Validator:
 
 @pytest.fixture(scope="module")
 def crops(campaigns: Draft202012Validator) -> Draft202012Validator:
-    """Gives the validator of crop files."""
+    """Provides a validator of crop files."""
     crop = {"$ref": "#/$defs/crop", "$defs": campaigns.schema["$defs"]}
     return campaigns.evolve(schema=crop)
 
@@ -143,7 +144,7 @@ def test_the_package_ships_the_schema_of_the_program() -> None:
 
 
 def tables_in(schema: object) -> Iterator[dict[str, Any]]:
-    """Yields the schemas of tables inside a schema."""
+    """Yields the schemas of all tables within a schema."""
     if isinstance(schema, dict):
         if "properties" in schema and "type" in schema:
             yield schema["properties"]
@@ -214,7 +215,7 @@ def test_new_campaigns_name_the_schema(tmp_path: Path) -> None:
     place = ["--latitude", 42, "--longitude", -93.6, "--date", "2021-07-01"]
     field = ["--row", 0.76, "--plant-spacing", 0.15, "--plant", "maize"]
     output = output_of("new", path, *place, *field)
-    # An editor finds the schema by the first line of the campaign.
+    # Editors find the schema by a directive in the first line of the campaign.
     directive, name = path.read_text().splitlines()[0].split()
     assert directive == "#:schema"
     assert str(tmp_path / name) in output.splitlines()
@@ -226,7 +227,8 @@ def test_new_campaigns_name_the_schema(tmp_path: Path) -> None:
 
 
 def faults(error: ValidationError) -> Iterator[ValidationError]:
-    """Yields the errors of the parts of a value, if a form with parts fits."""
+    """Yields the errors in the parts of a value, if one of the permitted forms
+    has these parts; else the error of the value."""
     inside = [each for each in error.context if each.relative_path]
     for each in inside:
         yield from faults(each)
@@ -237,8 +239,9 @@ def faults(error: ValidationError) -> Iterator[ValidationError]:
 def seen_by(
     checked: Draft202012Validator, document: object
 ) -> tuple[set[str], set[str]]:
-    """Returns the keys that errors of a schema are about, as the program names
-    them, and those of these that a table with unknown keys lacks."""
+    """Returns the keys concerned by errors of the schema, with the names that
+    the program prints; and those keys among them that are missing in a table
+    with unknown keys."""
     errors = [
         fault
         for error in checked.iter_errors(document)
@@ -262,7 +265,7 @@ def seen_by(
 
 
 def named(messages: str, file: str) -> set[str]:
-    """Returns the keys of a file that messages of the program name."""
+    """Returns the keys of a file that are named in messages of the program."""
     keys = set()
     for line in messages.splitlines():
         if not line.startswith(f"{file}:"):
@@ -303,6 +306,7 @@ def test_schema_and_program_find_the_same_problems(
     messages = "".join(x.read_text() for x in sorted(BROKEN.glob("*.txt")))
     expected = named(messages, file)
     seen, misspelt = seen_by(checked, read(BROKEN / file))
-    # The program takes an unknown key for a missing one that is like it.
+    # For a misspelt key, the program does not report the similar key as
+    # missing.
     assert seen - expected <= misspelt
     assert expected - seen == ONLY_CHECK_SEES.get(file, set())

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""JSON of the commands status, check, plan and compare follows the schemas."""
+"""The JSON that the commands status, check, plan and compare print follows its
+schema."""
 
 from __future__ import annotations
 
@@ -14,8 +15,8 @@ from schemas import assert_needs_all, validator
 
 
 def print_json(expected: int, *words: object) -> dict[str, Any]:
-    """Returns the document that a command prints, and checks the command's
-    exit code."""
+    """Returns the document that a command prints, after a check of its exit
+    code."""
     done = subprocess.run(
         [executable(), *map(str, words), "--json"],
         capture_output=True,
@@ -29,7 +30,7 @@ def print_json(expected: int, *words: object) -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives a folder with tiny.toml and its finished history."""
+    """Provides a folder with tiny.toml and its finished history."""
     folder = tmp_path_factory.mktemp("told")
     output_of("run", write_campaign(folder, 2), "--out", folder)
     return folder

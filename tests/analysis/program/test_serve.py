@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype serve` gives the same bits as a run, and lines that agree with its
-schemas."""
+"""`ideotype serve` gives bitwise the results of a run, and its output follows
+its schemas."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ from schemas import assert_needs_all, validator
 
 
 def serve(campaign: Path, *requests: Any) -> list[dict[str, Any]]:
-    """Returns the hello and the answers in the order of lines."""
+    """Returns the first line (hello) and the answers, in the order of the
+    requests."""
     text = "\n".join(
         r if isinstance(r, str) else json.dumps(r) for r in requests
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The gate against slower releases: `.ci/bench`."""
+"""Tests the check that a release is not slower than the last: `.ci/bench`."""
 
 from __future__ import annotations
 
@@ -27,8 +27,9 @@ bench = script()
 
 
 def test_the_interval_of_the_ratio_is_that_of_the_sign_test() -> None:
-    # With 8 pairs one ratio on each side would leave 2 * 9/256 = 7 %, with 9
-    # pairs 2 * 10/512 = 4 %.
+    # The interval may exclude one ratio on each side if its coverage remains
+    # 95 %: with 8 pairs it would miss 2 * 9/256 = 7 %, with 9 pairs 2 * 10/512
+    # = 4 %.
     ranks = {5: -1, 6: 0, 8: 0, 9: 1, 11: 1, 12: 2, 15: 3, 20: 5}
     assert {x: bench.rank_of_interval(x) for x in ranks} == ranks
 
@@ -36,7 +37,8 @@ def test_the_interval_of_the_ratio_is_that_of_the_sign_test() -> None:
 def test_a_change_is_the_median_ratio_of_pairs() -> None:
     before = [1.0, 2, 4, 1, 1, 1, 1, 1, 1]
     now = [1.0, 4, 2, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6]
-    # Sorted: 0.5 1 1.1 1.2 1.3 1.4 1.5 1.6 2, without one on each side.
+    # The sorted ratios are 0.5 1 1.1 1.2 1.3 1.4 1.5 1.6 2; the interval
+    # excludes one on each side.
     found = bench.change(before, now)
     assert found == pytest.approx((1.3, 1, 1.6))
     assert not found.is_slower
@@ -68,7 +70,7 @@ def test_intervals_of_the_ratio_have_their_coverage() -> None:
         )
         found = bench.change(before, now)
         inside += found.low <= 1.1 <= found.high
-    # The sign test of ten pairs has 97.9 %.
+    # By the sign test, the coverage with ten pairs is 97.9 %.
     expected = 1 - 2 * 11 / 2**10
     error = math.sqrt(expected * (1 - expected) / trials)
     assert abs(inside / trials - expected) < 4 * error

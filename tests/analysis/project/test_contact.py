@@ -52,7 +52,7 @@ PLACES = (
         "Vulnerability\n    url: (.*)",
         "homepage",
     ),
-    # Files of packages, where a package exists.
+    # The files of packages, if the package exists.
     (".ci/packaging/debian/control", "Maintainer: (.*) <", "authors"),
     (".ci/packaging/debian/control", "Maintainer: .* <(.*)>", "email"),
     (".ci/packaging/debian/control", "Homepage: (.*)", "homepage"),
@@ -86,8 +86,8 @@ def test_documents_have_the_values_of_contact_toml(
 
 
 def test_placeholders_are_only_in_known_places() -> None:
-    """Addresses at the domain of the placeholders are those of contact.toml;
-    hosts in examples of the manual have a separate name."""
+    """Placeholder addresses occur only where contact.toml inserts them. Hosts
+    in examples of the manual have a different name."""
     listed = subprocess.run(
         ["git", "grep", "-lI", r"[/@]example\.org"],
         cwd=TOP, capture_output=True, text=True, check=False,

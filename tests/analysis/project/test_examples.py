@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The examples of analysis/examples work as users run them."""
+"""The examples of analysis/examples run as users start them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def module(path: Path) -> ModuleType:
 
 draw = module(EXAMPLES / "draw.py")
 
-# The number that an example prints, with its bounds.
+# A number that each example prints, and its bounds.
 TOLD = {
     "01_sheet.py": (r"theory (\d\.\d+)", 0, 0.004),
     "03_leaf_temperature.py": (r"by (\d\.\d) to", 2.5, 4),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Imports of the package have no circle, and its public names are those that
-the manual documents."""
+"""Imports within the package have no cycle, and its public names are exactly
+the documented ones."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def sources(package: Path) -> dict[str, Path]:
 
 def imported(name: str, files: dict[str, Path]) -> set[str]:
     """Returns the modules of the package that a module imports anywhere: at
-    its top, in functions, and for types alone."""
+    the top, in functions, and only for types."""
     tree = ast.parse(files[name].read_text())
     modules = set()
     for node in ast.walk(tree):
@@ -58,8 +58,8 @@ def graph(package: Path) -> dict[str, set[str]]:
 
 
 def between_packages(modules: dict[str, set[str]]) -> dict[str, set[str]]:
-    """Returns the imports of each package, and of each module outside of
-    packages, at this level."""
+    """Returns the imports between packages; modules outside of packages count
+    as packages."""
 
     def place(module: str) -> str:
         return ".".join(module.split(".")[:2])
@@ -75,9 +75,9 @@ def between_packages(modules: dict[str, set[str]]) -> dict[str, set[str]]:
 def test_modules_and_packages_import_without_a_circle() -> None:
     modules = graph(PACKAGE)
     assert len(modules) > 100
-    # Imports inside functions count as well.
+    # Imports inside functions are included.
     assert "ideotype.figures.field" in modules["ideotype.stand.stand"]
-    # Each call raises CycleError, which names the circle, if there is one.
+    # If imports have a cycle, this raises CycleError with the cycle.
     graphlib.TopologicalSorter(modules).prepare()
     graphlib.TopologicalSorter(between_packages(modules)).prepare()
 
@@ -121,7 +121,7 @@ def test_importing_the_package_loads_no_large_library() -> None:
 
 
 def documented() -> list[str]:
-    """Returns the names that the page of the Python package documents."""
+    """Returns the names documented on the page about the Python package."""
     text = (TOP / "docs/python_api.md").read_text()
     found = re.findall(r"^\.\. auto\w+:: (\S+)$", text, re.MULTILINE)
     assert len(found) > 30
@@ -140,9 +140,10 @@ def test_documented_names_are_public(name: str) -> None:
 
 
 def test_all_public_names_of_packages_are_documented() -> None:
-    """Names of two packages may be alike, so that objects are compared."""
+    """Names of different packages may be equal, so that objects are compared."""
     packages = [*map(ideotype.__getattr__, ideotype._PACKAGES)]
-    # The package `mesh` would hide the function of this name.
+    # The function `mesh` has the same name as a package, which would be found
+    # instead.
     shown = {id(ideotype.mesh)}
     shown |= {id(pkgutil.resolve_name(name)) for name in documented()}
     shown |= {id(package) for package in packages}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Workflows name jobs of `.ci/job` and hold no logic, so that each job runs
-here as it does there."""
+"""Workflows only name jobs of `.ci/job` and contain no logic, so that all jobs
+can also be run locally."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CONTAINER = re.compile(r"buildpack-deps:(bookworm|trixie)-scm")
 
 
 def known_jobs() -> list[str]:
-    """Returns the jobs that `.ci/job` names where it is given none."""
+    """Returns the jobs that `.ci/job` lists if no job is given."""
     done = subprocess.run(
         [TOP / ".ci/job"], capture_output=True, text=True, check=False
     )
@@ -30,8 +30,8 @@ def known_jobs() -> list[str]:
 
 
 def expanded(job: dict) -> list[dict]:
-    """Returns the job once for each combination of its matrix, with the values
-    of the matrix in its texts."""
+    """Returns the job for each combination of its matrix, with the values
+    inserted in its texts."""
     matrix = job.get("strategy", {}).get("matrix", {})
     workflows = []
     for values in itertools.product(*matrix.values()):
@@ -44,8 +44,8 @@ def expanded(job: dict) -> list[dict]:
 
 
 def offences(workflow: dict, known: list[str]) -> list[str]:
-    """Returns the offences of jobs against the rule that a job checks out,
-    then runs one line."""
+    """Returns the jobs that break the rule: a job checks out the project, then
+    runs a single line."""
     offences = []
     for name, job in workflow["jobs"].items():
         for variant in expanded(job):
@@ -68,7 +68,7 @@ def offences(workflow: dict, known: list[str]) -> list[str]:
 
 
 def list_jobs(path: Path) -> set[tuple[str, str]]:
-    """Returns the Debian and the name of each job of a workflow."""
+    """Returns the Debian release and the name of each job of a workflow."""
     jobs = set()
     for job in yaml.safe_load(path.read_text())["jobs"].values():
         for variant in expanded(job):

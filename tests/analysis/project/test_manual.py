@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every command block of the manual and of the READMEs for users runs, and no
-page is wider than a phone. A block of bash or python is a separate program;
-pages begin in a clone of the project. A block of console has commands after `$
-` and their output: each line must be in the real output, apart from numbers. A
-block with the name of a file as caption is this file."""
+"""All command blocks of the manual and of the READMEs for users are run, and
+no page is wider than the screen of a phone. A block of bash or python is a
+separate program, and the blocks of a page begin in a clone of the project. A
+block of console contains commands after `$ ` and their output: each line must
+occur in the real output, except for numbers. A block with a file name as its
+caption is this file."""
 
 from __future__ import annotations
 
@@ -77,7 +78,7 @@ def list_blocks(page: Path) -> list[Block]:
 
 
 def list_commands(console: str) -> list[tuple[str, list[str]]]:
-    """Returns commands, each with the lines that it prints."""
+    """Returns the commands, each with the lines of its output."""
     steps: list[tuple[str, list[str]]] = []
     for line in console.splitlines():
         if line.startswith("$ "):
@@ -97,8 +98,8 @@ def without_numbers(line: str) -> str:
 
 @pytest.fixture
 def clone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Makes a copy of the parts of the project that pages use; the program is
-    on PATH."""
+    """Makes a copy of the parts of the project that pages use, with the
+    program on PATH."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE")
     assert program, "IDEOTYPE_EXECUTABLE names no program"
     for folder in ("campaigns", "analysis", "docs", "slurm", "tests/data"):
@@ -159,8 +160,8 @@ def test_every_block_of_a_page_runs(page: Path, clone: Path) -> None:
 
 @pytest.fixture
 def clone_with_results(clone: Path) -> Path:
-    """Adds an environment, a built program and the results of ames.toml, which
-    becomes short, at the paths that READMEs name."""
+    """Adds an environment, a built program and the results of a shortened
+    ames.toml, at the paths that READMEs name."""
     (clone / ".venv").symlink_to(sys.prefix)
     built = clone / "build" / "release" / "src"
     built.mkdir(parents=True)
@@ -186,8 +187,8 @@ def clone_with_results(clone: Path) -> Path:
 def test_every_command_of_a_readme_runs(
     page: Path, clone_with_results: Path
 ) -> None:
-    """Python blocks of analysis/README.md follow on each other; test_report
-    runs them together."""
+    """Python blocks of analysis/README.md depend on each other, so that
+    test_report runs them together."""
     for block in list_blocks(page):
         if block.kind == "bash" and not block.reason:
             command = ["bash", "-euo", "pipefail", "-c", block.text]
@@ -197,7 +198,7 @@ def test_every_command_of_a_readme_runs(
 def test_every_submission_of_a_readme_can_be_planned(
     clone_with_results: Path,
 ) -> None:
-    """tests/slurm submits; here the options of each command are checked."""
+    """tests/slurm submits jobs; this test checks the options of each command."""
     commands = [
         line
         for block in list_blocks(TOP / "slurm" / "README.md")
@@ -212,9 +213,9 @@ def test_every_submission_of_a_readme_can_be_planned(
 
 
 def test_every_installation_of_a_text_is_possible() -> None:
-    """Nothing of the project is on a package index: texts install from its
-    folder, with extras that exist, or the wheel that .ci/wheel made, and the
-    quickstart has the extras of commands."""
+    """The project is not on a package index. Installation commands therefore
+    use its folder with existing extras, or the wheel made by .ci/wheel; the
+    quickstart installs the extras of all commands."""
     extras = tomllib.loads((TOP / "pyproject.toml").read_text())["project"][
         "optional-dependencies"
     ]
@@ -240,7 +241,7 @@ def test_every_installation_of_a_text_is_possible() -> None:
 
 
 def test_every_promise_of_the_contract_names_tests_that_exist() -> None:
-    """The tests are shell scripts, folders, and suites of GoogleTest."""
+    """Tests are shell scripts, folders, or suites of GoogleTest."""
     page = (DOCS / "contract.md").read_text()
     promises = re.findall(r"(?m)^\| \*\*C\d\*\* .* \| (.*) \|$", page)
     assert len(promises) == 5
@@ -273,7 +274,8 @@ def test_few_blocks_are_exempt(capsys: pytest.CaptureFixture[str]) -> None:
     of_readmes = [block for page in READMES for block in list_blocks(page)]
     for block in [*exempt, *of_readmes]:
         assert block.reason in ("", *REASONS), block
-    # Half of those of READMEs install, begin servers, or need SLURM.
+    # At most half of the blocks in READMEs may be exempt: those that install,
+    # start servers, or need SLURM.
     exempt_readme = [block for block in of_readmes if block.reason]
     assert len(exempt_readme) <= 0.6 * len(of_readmes)
     with capsys.disabled():
@@ -290,7 +292,8 @@ def test_few_blocks_are_exempt(capsys: pytest.CaptureFixture[str]) -> None:
     ids=lambda page: str(page.relative_to(TOP).with_suffix("")),
 )
 def test_all_blocks_are_found(page: Path) -> None:
-    """Every block of code has a kind that this test knows or is no program."""
+    """Every block of code is of a kind that this test knows, or is not a
+    program."""
     text = page.read_text()
     fences = re.findall(r"(?m)^```+(?=[^`\s])(.*)$", text)
     code = [
@@ -308,8 +311,8 @@ def test_all_blocks_are_found(page: Path) -> None:
 
 
 def test_links_of_every_text_lead_somewhere(manual: Path) -> None:
-    """The links are those of the repository's Markdown, also to pages that the
-    manual makes; docs/build looks at anchors of pages."""
+    """All links in Markdown files of the repository are checked, including
+    those to generated pages of the manual; docs/build checks anchors."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "*.md"],
         cwd=TOP, capture_output=True, text=True, check=True,
@@ -325,7 +328,7 @@ def test_links_of_every_text_lead_somewhere(manual: Path) -> None:
 
 @pytest.fixture(scope="session")
 def manual() -> Path:
-    """Gives the manual, rebuilt after changes; a warning is an error."""
+    """Provides the manual, rebuilt after changes; warnings are errors."""
     done = subprocess.run(
         [DOCS / "build", sys.executable],
         capture_output=True, text=True, timeout=600, check=False,
@@ -335,8 +338,8 @@ def manual() -> Path:
 
 
 def test_pages_are_as_wide_as_the_screen(manual: Path, tmp_path: Path) -> None:
-    """Screens are those of a phone and of a desk: wider things, such as
-    tables, scroll by themselves."""
+    """The widths are those of a phone and of a desktop screen; wider elements,
+    such as tables, scroll separately."""
     names = sorted(
         str(path.relative_to(manual))
         for pattern in ("*.html", "results/*.html")

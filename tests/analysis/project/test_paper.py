@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The paper has the form of the Journal of Open Source Software, and its
-figures are those of the files that they are taken from."""
+"""The paper follows the form of the Journal of Open Source Software, and its
+numbers agree with their source files."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def test_citations_and_references_agree() -> None:
 
 
 def test_figures_of_the_paper_agree_with_their_source() -> None:
-    """A comment names the source, the figures and the command."""
+    """A comment in the paper names the source, the numbers and the command."""
     notes = re.findall(
         r"<!-- figures: (\S+): (.*?); command: (.*?) -->", PAPER
     )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The files that describe the project to other programs agree with each
-other and with the changelog."""
+"""The files that describe the project to other programs agree with each other
+and with the changelog."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ CODEMETA_TERMS = set(
 
 
 def releases() -> dict[str, str]:
-    """Returns the text of the changelog on each release, newest first, by the
-    version and the date in its heading."""
+    """Returns the changelog of each release, newest first, by the version and
+    date in its heading."""
     parts = re.split(
         r"(?m)^## (?=[0-9])(.*)$", (TOP / "CHANGELOG.md").read_text()
     )
@@ -120,8 +120,8 @@ def test_archives_contain_the_sources_without_git_settings() -> None:
 
 
 def test_read_the_docs_builds_the_manual_by_its_script() -> None:
-    """Read the Docs installs as an administrator before it calls docs/build,
-    which may not."""
+    """Read the Docs installs packages as an administrator and then calls
+    docs/build, which is not permitted to install."""
     settings = yaml.safe_load((TOP / ".readthedocs.yaml").read_text())
     build = settings["build"]
     assert build["jobs"]["build"]["html"][0] == "docs/build"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of policies counts its items, and its evidence exists."""
+"""The page of policies counts its items correctly, and the evidence that it
+cites exists."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ def test_counts_of_policies_agree_with_their_lists() -> None:
     assert [name for name, *_ in counts] == list(LISTS)
     for name, items, before, now in counts:
         rows = LISTS[name]
-        # Besides the rows there are the head and the line below it.
+        # The count excludes the header of the table and its separator line.
         part = PAGE.split(f"\n## {name}\n")[1].split("\n## ")[0]
         assert len(re.findall(r"(?m)^\|", part)) == len(rows) + 2, name
         assert len({row[0] for row in rows}) == len(rows) == int(items), name

@@ -69,8 +69,7 @@ Numbers = NDArray[np.float64]
 @dataclass(frozen=True)
 class Noise:
     """Variances relative to the squared mean, and the time of an evaluation
-    [s].
-    """
+    [s]."""
 
     light_of_row: float
     row: float
@@ -102,8 +101,7 @@ def stand(objective: str, cell: str, tolerance: float) -> ideotype.Stand:
 
 def plants_around(where: ideotype.Stand, count: int) -> Numbers:
     """Returns the baseline and the plants of a generation around it [plants,
-    free genes].
-    """
+    free genes]."""
     lower, upper = where.bounds
     random = np.random.default_rng(1)
     steps = STEP * random.standard_normal((count, len(lower)))
@@ -172,15 +170,13 @@ def parts(light: float, whole: float) -> str:
 
 def of_field(fine: Noise) -> float:
     """Returns the variance between fields of a difference between plants,
-    which more light paths cannot reduce.
-    """
+    which more light paths cannot reduce."""
     return max(fine.difference - fine.light_of_difference, 0.0)
 
 
 def seconds_for(variance: float, rough: Noise, fine: Noise) -> float:
     """Returns the time of an evaluation in which a difference between plants
-    has the given variance.
-    """
+    has the given variance."""
     left = variance - of_field(fine)
     if left <= 0:
         return np.inf

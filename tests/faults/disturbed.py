@@ -202,8 +202,7 @@ Numbers = dict[str, np.ndarray]
 
 def outcome_of(ended: Ended) -> str:
     """Returns the way in which a run ended: right, told, signal, silent or
-    hung.
-    """
+    hung."""
     if ended.is_hung:
         return "hung"
     if ended.code == 0:

@@ -68,8 +68,7 @@ def prepared(program: Path, library: Path, name: str, folder: Path) -> Setup:
 
 def numbers(count: int, upper: int, sample: int, seed: str) -> list[int]:
     """Returns all numbers up to `upper`, and a random sample of the numbers
-    from there to `count`.
-    """
+    from there to `count`."""
     rest = range(upper + 1, count + 1)
     chosen = random.Random(seed).sample(rest, min(sample, len(rest)))
     return [*range(1, min(count, upper) + 1), *sorted(chosen)]
@@ -79,8 +78,7 @@ def faults_of(
     name: str, counts: dict[str, int], upper: int, sample: int, seed: int
 ) -> Iterator[Fault]:
     """Yields the faults to try in a setup; `counts` are the numbers of calls
-    in its undisturbed run.
-    """
+    in its undisturbed run."""
     _, calls, rank, file = SETUPS[name]
     for kind, modes in calls.items():
         for mode in modes:

@@ -31,7 +31,7 @@ def cpu_seconds() -> float:
 
 
 def show(title: str, seconds: dict[str, float], failed: list[str]) -> None:
-    """Prints sums by area, and the slowest tests."""
+    """Prints the sums by area and the slowest tests."""
     areas: dict[str, float] = defaultdict(float)
     for name, spent in seconds.items():
         areas[name.split("::")[0].split(".")[0]] += spent
@@ -74,9 +74,9 @@ def ctest(options: list[str]) -> list[str]:
 
 
 def pytest_runs(options: list[str]) -> int:
-    """Runs the tests of Python, each measured with the fixtures that it is
-    the first to need, and returns the exit code."""
-    # CTest's part needs no package.
+    """Runs the Python tests and returns the exit code. The time of a fixture
+    counts for the first test that needs it."""
+    # For CTest the package is not needed.
     import pytest
 
     seconds: dict[str, float] = {}
@@ -95,7 +95,7 @@ def pytest_runs(options: list[str]) -> int:
 
 
 def main(arguments: list[str]) -> int:
-    """Runs the tests that the command line names."""
+    """Runs the tests given by the command line."""
     is_all = "--all" in arguments
     kind, *options = [x for x in arguments if x != "--all"] or ["both"]
     os.environ["IDEOTYPE_EXECUTABLE"] = str(BUILD / "src/ideotype")

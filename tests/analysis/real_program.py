@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the program itself with a campaign that takes a second."""
+"""Runs the program with a campaign that takes about a second."""
 
 from __future__ import annotations
 
@@ -89,8 +89,8 @@ def write_campaign(folder: Path, generations: int) -> Path:
 
 
 def run_with(folder: Path, tables: str, command: str = "run") -> Path:
-    """Returns a finished history of two generations of the tiny campaign with
-    more tables, by `ideotype run` or another command."""
+    """Runs the tiny campaign for two generations with additional tables, by
+    `ideotype run` or another command, and returns the finished history."""
     campaign = write_campaign(folder, 2)
     campaign.write_text(campaign.read_text() + tables)
     output_of(command, campaign, "--out", folder)
@@ -99,8 +99,9 @@ def run_with(folder: Path, tables: str, command: str = "run") -> Path:
 
 
 def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
-    """Returns a finished history of a crop of campaigns/crops, two generations
-    in the stand of the tiny campaign, with the given traits free."""
+    """Runs a crop of campaigns/crops for two generations in the stand of the
+    tiny campaign, with the given traits free, and returns the finished
+    history."""
     campaign = write_campaign(folder, 2)
     baseline = json.dumps(str(CAMPAIGNS / "crops" / f"{crop}.toml"))
     text = campaign.read_text().replace('"maize.toml"', baseline)
@@ -112,8 +113,8 @@ def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
 
 
 def run_shortened(folder: Path, name: str) -> list[Path]:
-    """Returns finished histories of campaigns/NAME.toml, with three
-    generations of eight plants and few paths of light."""
+    """Runs campaigns/NAME.toml with three generations of eight plants and few
+    light paths, and returns the finished histories."""
     light = _FAST.replace("paths = 64", "paths = 256")
     text = (CAMPAIGNS / f"{name}.toml").read_text() + light
     for key, value in (("population", 8), ("generations", 3)):
@@ -128,7 +129,7 @@ def run_shortened(folder: Path, name: str) -> list[Path]:
 
 
 def start(folder: Path, generations: int) -> subprocess.Popen[str]:
-    """Begins to evolve the tiny campaign."""
+    """Starts a run of the tiny campaign."""
     campaign = write_campaign(folder, generations)
     return subprocess.Popen(
         [executable(), "run", campaign, "--out", folder],
@@ -139,7 +140,7 @@ def start(folder: Path, generations: int) -> subprocess.Popen[str]:
 
 
 def output_of(*arguments: object) -> str:
-    """Returns the output of the program, which has to succeed."""
+    """Returns the output of the program, which must succeed."""
     done = subprocess.run(
         [executable(), *map(str, arguments)],
         capture_output=True,

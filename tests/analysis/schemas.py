@@ -19,14 +19,14 @@ def validator(name: str) -> Draft202012Validator:
 
 
 def assert_needs_all(name: str, document: dict[str, Any]) -> None:
-    """Asserts that the document is valid, and becomes invalid if any member is
-    missing, has another type, or is unknown."""
+    """Asserts that the document is valid, and that it becomes invalid if any
+    member is missing, of another type, or unknown."""
     checked = validator(name)
     checked.validate(document)
     for key in document:
         rest = {k: v for k, v in document.items() if k != key}
         assert not checked.is_valid(rest), key
-        # A client may send any value as `id`.
+        # A client may choose any value for `id`.
         changed = {**document, key: object()}
         assert key == "id" or not checked.is_valid(changed), key
     assert not checked.is_valid({**document, "other": 1})

@@ -21,8 +21,8 @@ PARTS = re.findall(
 def run(
     folder: Path, *words: str, results: Path | None = None
 ) -> subprocess.CompletedProcess[str]:
-    """Runs the short study with options; its tables are on the pages of
-    `results`, by default those of folder/results."""
+    """Runs the short study with the given options; its tables are on the pages
+    in `results`, by default folder/results."""
     return subprocess.run(
         [
             *(sys.executable, STUDY, folder / "study", "--short"),
@@ -37,8 +37,8 @@ def run(
 
 
 def make_tables(folder: Path, parts: Sequence[str]) -> str:
-    """Returns the tables of parts, each of which gets a page in
-    folder/results; their histories and figures are in folder/study."""
+    """Returns the tables of the given parts. Each part has a page in
+    folder/results; its histories and figures are in folder/study."""
     results = folder / "results"
     results.mkdir()
     for name in parts:

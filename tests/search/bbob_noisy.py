@@ -24,11 +24,11 @@ TARGET = 1e-8
 
 
 class Function:
-    """Counts the evaluations of a problem until it is solved."""
+    """Counts evaluations of a problem until it is solved."""
 
     def __init__(self, problem):
-        # The package writes the optimum only into a file in the working
-        # folder.
+        # The package reveals the optimum only by writing it to a file in the
+        # working folder.
         problem._best_parameter("print")
         best = np.loadtxt("._bbob_problem_best_parameter.txt")
         self.problem, self.optimum = problem, problem(best)

@@ -37,7 +37,7 @@ for dimension, population, generations in CASES:
     }
     search = DDCMA(problem, options)
     (mean, d, root, inverse, z, cz, x, y, *state) = search.initialize()
-    # The package begins this sum of the changes of correlations with one.
+    # In the package, this accumulated change of correlations begins at one.
     state[3][:] = 0
     print(dimension, population, generations, line(mean))
     for _ in range(generations):

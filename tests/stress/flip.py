@@ -73,7 +73,7 @@ said."""
 
 
 class Place:
-    """A folder with the history under test."""
+    """A folder that contains the history under test."""
 
     def __init__(self, program: str, folder: Path, generations: int) -> None:
         self.program = program
@@ -91,7 +91,7 @@ class Place:
         return path
 
     def run(self, *words: str) -> list[str]:
-        """Returns the command that evolves the campaign here."""
+        """Returns the command that runs the campaign in this folder."""
         return [
             self.program,
             "run",
@@ -127,7 +127,8 @@ def killed(program: str, folder: Path) -> Place:
 
 
 def said(command: list[str], without: str = "") -> Said:
-    """Returns the output of the program without lines that match."""
+    """Returns the output of the program, without lines that match
+    `without`."""
     try:
         done = subprocess.run(
             command,
@@ -219,7 +220,7 @@ def serve(parent: multiprocessing.connection.Connection) -> None:
 
 
 class Readers:
-    """All readers; Python readers run in a separate process."""
+    """All readers. Those in Python run in a separate process."""
 
     def __init__(self) -> None:
         self._start()
@@ -246,8 +247,8 @@ class Readers:
         return kind, ""
 
     def read(self, place: Place, content: bytes) -> dict[str, Said]:
-        """Returns the answer of each reader to the history with the given
-        content."""
+        """Writes the content to the history and returns the answer of each
+        reader."""
         path = place.path
         arrays = {}
         for name in (*PYTHON, *PROGRAMS):
@@ -263,7 +264,8 @@ class Readers:
 
 
 def without_checksum(path: Path) -> list[range]:
-    """Returns the places of the bytes of a history that no checksum covers."""
+    """Returns the positions of the bytes of a history that no checksum
+    covers."""
     ranges = []
     with open_history(path) as history:
         generations = history.generations()
@@ -292,13 +294,13 @@ def without_checksum(path: Path) -> list[range]:
 def look(
     state: str, place: Place, flips: int, chosen: random.Random
 ) -> collections.Counter[tuple[str, str, str]]:
-    """Counts kinds by state and reader."""
+    """Counts kinds of answers by state and reader."""
     readers = Readers()
     content = place.path.read_bytes()
     unprotected = without_checksum(place.path)
     used = [i for i, byte in enumerate(content) if byte]
     whole = readers.read(place, content)
-    # A reader that refuses a live file says nothing about its content.
+    # A reader that refuses a live file gives no information about its content.
     names = [name for name in whole if whole[name][0] == "read"]
     counts: collections.Counter[tuple[str, str, str]] = collections.Counter()
     for number in range(flips):

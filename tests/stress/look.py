@@ -15,7 +15,7 @@ from ideotype.history import Rows, open_history
 
 
 def values(rows: Rows) -> list[np.ndarray]:
-    """Returns all numbers of complete rows that no kill may change."""
+    """Returns all numbers of complete rows, which no kill may change."""
     arrays = [
         rows.row,
         rows.generation,

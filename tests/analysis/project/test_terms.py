@@ -18,8 +18,9 @@ from pathlib import Path
 
 TOP = Path(__file__).parents[3]
 
-# Names, code and tables of the study are not prose: code blocks and spans,
-# tables between marks, comments of HTML, addresses, formulas.
+# Names, code and tables of the study are not prose and are removed: code
+# blocks and spans, tables between marks, HTML comments, addresses and
+# formulas.
 CODE = re.compile(
     r"(?ms)^ *(`{3,}|:{3,}).*?^ *\1 *$|<!-- study: .*?<!-- end of study -->"
     r"|<!--.*?-->|`[^`\n]+`|\]\([^)\s]*\)"
@@ -73,7 +74,7 @@ def texts_of(path: Path) -> str:
 
 
 def read_files() -> dict[str, str]:
-    """Returns the prose of each file that has any."""
+    """Returns the prose of each file that contains any."""
     listed = subprocess.check_output(
         ["git", "ls-files", "*.md", "*.py", "*.cpp", "*.hpp", "*.js",
          "*.sh", "*.cmake", "*CMakeLists.txt", ".ci/*", "slurm/*"],
@@ -91,7 +92,8 @@ def read_files() -> dict[str, str]:
 def find_offences(
     prose: dict[str, str], term: dict[str, str]
 ) -> list[tuple[str, str]]:
-    """Returns the file and the words around each occurrence of a term."""
+    """Returns the file and the surrounding words of each occurrence of a
+    term."""
     exempt = re.compile(term["except"]) if term["except"] else None
     return [
         (name, text[max(0, hit.start() - 30) : hit.end() + 30])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report tells the distance of a bred plant from measured lines."""
+"""The report states the distance of an optimised plant from measured lines."""
 
 from __future__ import annotations
 

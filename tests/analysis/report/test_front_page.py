@@ -87,8 +87,8 @@ def test_each_plant_has_the_shape_of_its_row(history: Path) -> None:
         mesh.area("leaf01") / row[sizes].prod()
         for mesh, row in zip([plants.baseline, *plants.members], rows)
     ]
-    # The part is a part of the rectangle around a blade; all blades have one
-    # outline.
+    # The area of a blade is a fraction of its bounding rectangle; all blades
+    # have the same outline.
     assert parts == pytest.approx([parts[0]] * 4, rel=0.01)
     assert np.array_equal(plants.best.vertices, plants.members[1].vertices)
 
@@ -115,7 +115,7 @@ def test_a_hidden_view_is_drawn_when_it_shows(
         before = phone.value(LOOK)
         phone.value(f"{panel}.style.display = 'none'")
         phone.value("dispatchEvent(new Event('resize'))")
-        # While the view is hidden, keys and lists work.
+        # While the view is hidden, keys and lists must not cause errors.
         phone.value(
             "for (const id of ['view-quantity', 'view-right']) document"
             ".getElementById(id).dispatchEvent(new Event('change'))"
@@ -143,11 +143,11 @@ def test_a_plant_of_the_front_is_chosen(
         boxes = phone.value(BOXES)
         chart, plant, numbers = boxes.values()
         if width == 1280:
-            # Chart and plant are side by side, and the numbers are below the
-            # chart.
+            # Chart and plant are next to each other, with the numbers below
+            # the chart.
             assert chart[2] < plant[0] and plant[1] < chart[3] < numbers[1]
             assert numbers[2] < plant[0]
-        else:  # Chart and plant are on one screen.
+        else:  # Chart and plant fit on one screen.
             assert chart[3] < plant[1] < plant[3] < min(HEIGHT, numbers[1])
         for i, (left, top, right, bottom) in enumerate(
             labels := phone.value(LABELS)
@@ -159,7 +159,7 @@ def test_a_plant_of_the_front_is_chosen(
         first, looks = phone.value(CELLS), [phone.value(LOOK)]
         assert first[0] == ["", "baseline", "plant 2", "difference [%]"]
         assert first[2] == ["LAI [m² m⁻²]", "3.44", "3.5", "+1.74"]
-        # Fingers touch a little beside the point.
+        # A finger may touch the screen slightly off the point.
         x, y = phone.value(MEMBER % 0)
         phone.tap(x + 9, y - 9)
         looks.append(phone.value(LOOK))
@@ -167,7 +167,7 @@ def test_a_plant_of_the_front_is_chosen(
         assert chosen[0][2] == "plant 1"
         assert re.fullmatch(r"\+1\.0+ ±\u00a00\.0\d+", chosen[1][3])
         assert chosen[2][1:] == ["3.44", "3", "−12.79"]
-        # The keys go from left to right: 3.0, 3.2, 3.5.
+        # The arrow keys move from left to right: 3.0, 3.2, 3.5.
         phone.press("ArrowRight")
         looks.append(phone.value(LOOK))
         assert phone.value(CELLS)[0][2] == "plant 3"
@@ -199,7 +199,7 @@ def test_the_chart_has_error_bars_in_the_scale_of_its_axes(
               [member.dataset.member, member.classList.contains("fallen")])"""
         )
     assert {int(i): not fell for i, fell in kinds} == dict(enumerate(KEPT))
-    # Plants 1 and 2 differ by 0.005 of the baseline.
+    # The objectives of plants 1 and 2 differ by 0.005 of the baseline.
     step = (places[0] - places[1]) / (final_absorbed(2) - final_absorbed(1))
     assert heights == pytest.approx(
         [1.96 * step * 2 * ERROR / 4] * 3, rel=0.01
@@ -247,7 +247,7 @@ def test_of_three_objectives_two_are_chosen(tmp_path: Path) -> None:
 
 
 def test_the_page_shows_the_scenarios_of_a_plant(tmp_path: Path) -> None:
-    """Readers also take an axis that they do not know."""
+    """Unknown axes of scenarios are shown too."""
     path = make(
         tmp_path / "case.h5",
         labels={"scenario": SCENARIOS},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures become files, and their numbers CSV."""
+"""Figures are written as files, with their numbers as CSV."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_a_figure_is_a_vector_file_that_is_the_same_again(
         texts.append((tmp_path / "some.svg").read_text())
     assert texts[0] == texts[1]
     assert "leaf area</text>" in texts[0]
-    # Painted parts would be several times as large as PNG.
+    # As PNG, painted parts would be several times larger.
     assert "data:image/webp" in texts[0] and len(texts[0]) < 200_000
     draw(tmp_path, True, Drawing("some", "Is it?", "", make))
     assert (tmp_path / "some.pdf").read_bytes().startswith(b"%PDF")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The gain of a bred plant is split by evaluating it without other organs."""
+"""The gain of an optimised plant is split by evaluations without other
+organs."""
 
 from __future__ import annotations
 
@@ -34,7 +35,8 @@ DEAD = Variant("dead_organs", "with dead organs", {}, "carbon of other organs")
 
 
 def made(gain: float, count: int, noise: float, seed: int = 1) -> np.ndarray:
-    """Returns baseline and plant [2, count] with common noise."""
+    """Returns the objective of baseline and plant with common noise [2,
+    count]."""
     draw = np.random.default_rng(seed)
     common = draw.normal(0, 0.1, count)
     return np.array(
@@ -58,7 +60,7 @@ def test_the_gain_of_leaves_is_that_of_plants_without_other_organs(
     assert (first, last) == (AS_SHIPPED, LEAVES_ALONE)
     assert dead.name == "dead_organs"
     whole, same_light, alone = found.gains
-    # The evaluations of the search are repeated.
+    # The evaluation with all organs repeats that of the search.
     assert whole.mean == pytest.approx(gain.mean, rel=1e-4)
     assert whole.standard_error == pytest.approx(gain.standard_error, rel=1e-3)
     stand = ideotype.Stand.from_campaign(
@@ -77,7 +79,8 @@ def test_the_gain_of_leaves_is_that_of_plants_without_other_organs(
         / reference.objective_by_randomisation.values[0, 0].mean(),
         rel=1e-4,
     )
-    # The light of leaves does not depend on the carbon of other organs.
+    # The light absorbed by leaves does not depend on the carbon of other
+    # organs.
     assert same_light.mean == pytest.approx(whole.mean, rel=1e-4)
     assert found.parts[1].mean == pytest.approx(same_light.mean - alone.mean)
 
@@ -127,8 +130,8 @@ def test_95_of_100_intervals_of_a_part_contain_the_truth() -> None:
         ]
         (part,) = split_gain([AS_SHIPPED, LEAVES_ALONE], values, "mol").parts
         hits += abs(part.mean - 5) < 1.96 * part.standard_error
-    # Four standard errors of a share of 0.95 are allowed, and the bias of
-    # ratios.
+    # The tolerance is four standard errors of a frequency of 0.95; it also
+    # covers the bias of ratios.
     assert abs(hits / runs - 0.95) < 4 * np.sqrt(0.95 * 0.05 / runs)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report shows organs besides leaves."""
+"""The report shows organs other than leaves."""
 
 from __future__ import annotations
 

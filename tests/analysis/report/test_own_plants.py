@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The user's own plants stand beside the plants of a case."""
+"""The user's own plants are shown next to the plants of a case."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_measured_and_digitised_plants_have_their_own_shape(
         assert len(leaves) == len(taken.values) == count
         assert taken.values.sum() == pytest.approx(own.objective.mean)
         assert 0 < own.objective.standard_error < 0.1 * own.objective.mean
-    # The digitised plant is the baseline, so that their leaves agree.
+    # The digitised plant is the baseline, so that both have equal leaves.
     whole = sum(mesh.area(name) for name in names if name.startswith("leaf"))
     again = sum(
         found[1].mesh.area(x)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A report shows files that the program itself has written: a history, and a
+"""A report shows files that the program has written: a history, and a
 cross-evaluation of its plants."""
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ from ideotype.tools.commands import report
 
 @pytest.fixture(scope="module")
 def cross(tiny_run: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives the best plant and the baseline under the campaign's one case."""
+    """Provides a cross-evaluation of the best plant and the baseline in the
+    only case of the campaign."""
     campaign = tiny_run.parents[1] / "tiny.toml"
     path = tmp_path_factory.mktemp("cross") / "cross.json"
     path.write_text(
@@ -70,7 +71,7 @@ def test_a_browser_shows_the_report_of_a_real_run(
     assert shown["faces"] == 2 * FACES and shown["turns"]
     figures = {path.stem for path in (out / "figures").glob("*.svg")}
     assert {"cross", "gains", "energy"} < figures
-    # The figure for a paper is another picture.
+    # The figure for a paper is one further picture.
     assert len(shown["pictures"]) == len(figures) + 1
     assert min(shown["pictures"]) > 200
     words = re.sub(r"\s+", " ", shown["text"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of a report says and shows what it should."""
+"""The texts and figures of a report are complete and right."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from ideotype.tools.commands import report
 
 
 def plain(text: str) -> str:
-    """Returns the words of a page, without marks."""
+    """Returns the text of a page without tags."""
     text = re.sub(r"(?s)<(script|style).*?</\1>", "", text)
     return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", text))
 
@@ -41,7 +41,8 @@ def test_every_figure_is_a_file_and_in_the_page(made: Made) -> None:
     ends = ("svg", "csv")
     assert files == {f"{name}.{end}" for name in names for end in ends}
     for path in (made.folder / "figures").glob("*.svg"):
-        # Words stay text, so that browsers can find them and read them aloud.
+        # Words remain text, so that browsers can find them and screen readers
+        # can read them.
         assert "<text" in path.read_text()
         assert path.stat().st_size < 300_000
     assert set(re.findall(r"\((\S+)\.svg\)", made.text)) == names
@@ -135,7 +136,7 @@ def test_the_page_needs_nothing_else(made: Made) -> None:
 
 def test_the_page_states_the_gain(made: Made) -> None:
     words = plain(made.text).replace("\u00a0", " ")
-    # There are two seeds, 1.5 % over 11 and 0.1 more in the second.
+    # The gains of the two seeds are 1.5 % of 11, and 0.1 more for the second.
     assert re.search(
         r"ames_0807_762x152_all 2 2\.\d+ ± [\d.]+ [\d.]+ \.\. [\d.]+ 11\.00",
         words,
@@ -194,7 +195,7 @@ def test_figures_of_single_cases_are_drawn_on_request(
 def test_the_page_reports_missing_data_and_saturation(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # An installation may lack the compiled module.
+    # The compiled module is missing in this installation.
     monkeypatch.setitem(sys.modules, "ideotype._core", None)
     compiled = ("ideotype.common.compiled", "ideotype.stand")
     for name in [x for x in sys.modules if x.startswith(compiled)]:
@@ -204,8 +205,8 @@ def test_the_page_reports_missing_data_and_saturation(
     made.evolve(1)
     made.finish()
     made.close()
-    # The report is made in this process alone, since changes of the test do
-    # not reach other processes.
+    # The report is made by a single process, because other processes would not
+    # see the changes of this test.
     assert report([str(path), "-o", str(tmp_path / "out"), "-j", "1"]) == 0
     text = (tmp_path / "out" / "report.html").read_text()
     assert "&lt;full&gt;.h5" in text and "<full>" not in text
@@ -239,7 +240,7 @@ def test_three_searches_bound_the_distance_of_the_optimum(
     for folder in (sweep, tmp_path):
         with open_study(folder) as study:
             notes = [b.text for b in tabulate_gains(study.cases(), None)[1:]]
-        # The note about intervals covers all cases.
+        # The note about intervals appears once and covers all cases.
         told.append([note for note in notes[1:] if "optimum" in note])
     (two,), (three,) = told
     assert two.startswith("Three searches (replicates = 3) would show")

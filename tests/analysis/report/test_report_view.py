@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A browser shows the page of a report, with its plants."""
+"""A browser shows the page of a report with its plants."""
 
 from __future__ import annotations
 
@@ -67,14 +67,16 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
     """
     shown, errors = run_in_browser(made.page, script, tmp_path)
     assert errors == []
-    # There are leaves of 12 x 2 faces, and eight sides and tops of the stalk.
+    # Each plant has ten leaves of 12 x 2 faces, and a stalk of eight sides and
+    # eight faces at its top.
     assert shown["faces"] == 2 * (10 * 24 + 16)
-    # There are ten leaves in two plants, and smooth edges.
+    # Ten leaves on two plants with smooth edges give many colours.
     assert shown["colors"] > 100
     assert shown["states"] == 7 and shown["isHome"]
     assert shown["scrolls"] and shown["zooms"]
     assert shown["cases"] == list(CASES) and shown["quantities"] == 2
-    # Baseline and best, and the finalists of two searches but the best.
+    # The plants are baseline and best of each case, and the other finalists of
+    # two searches.
     assert shown["plants"] > 2 * len(CASES)
     assert len(shown["pictures"]) == 6 + 2 * (len(DRAWN) + len(OWN))
     assert min(shown["pictures"]) > 200
@@ -95,7 +97,7 @@ def test_leaf_colours_are_per_ground_and_per_leaf_area(
 ) -> None:
     (text,) = re.findall(r'(?s)id="scene">(.*?)</script>', made.text)
     scene = json.loads(text)
-    # All plants have the same organs.
+    # All plants have the same organs, so that they share one shape.
     (shape,) = scene["shapes"]
     first = scene["cases"][0]
     assert len(first["neighbours"]) == 3 * 7 - 1
@@ -107,8 +109,8 @@ def test_leaf_colours_are_per_ground_and_per_leaf_area(
     for plant, by_ground, by_leaf, mesh in plants:
         assert plant["shape"] == 0 and shape["groups"][-1] == "stalk"
         assert by_ground[-1] is by_leaf[-1] is None
-        # The number is all light that the plant's leaves absorb on its part of
-        # the ground.
+        # The value per ground area is all light that the leaves absorb,
+        # divided by the ground area of the plant.
         taken = sum(
             value * mesh.area(group)
             for value, group in zip(by_leaf[:-1], shape["groups"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The 3D view is right, by its pixels."""
+"""The 3D view is drawn correctly, as its pixels show."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ NEIGHBOURS = [[-0.7, 0.0], [0.7, 0.0]]
 
 
 def upright(ends: list[tuple[float, float]]) -> list[list[float]]:
-    """Returns corners of an upright leaf, from its ends as seen at the start:
-    to the right and away from the viewer."""
+    """Returns the corners of an upright leaf. Its ends are given in the
+    initial view: to the right, and away from the viewer."""
     c, s = np.cos(TURN), np.sin(TURN)
     low, high = [
         [[c * r + s * away, c * away - s * r, z] for r, away in ends]
@@ -38,8 +38,8 @@ def upright(ends: list[tuple[float, float]]) -> list[list[float]]:
 
 
 def make_scene(direction: float | None = 90.0) -> str:
-    """Returns two leaves that cross: the first is nearer on the left, the
-    second on the right."""
+    """Returns two crossing leaves: the first is nearer at its left end, the
+    second at its right end."""
     vertices = upright([(-0.5, -0.5), (0.5, 0.5)])
     vertices += upright([(-0.5, 0.5), (0.5, -0.5)])
     shape = {
@@ -72,7 +72,7 @@ def make_scene(direction: float | None = 90.0) -> str:
 
 
 def page_of(folder: Path, scene: str) -> Path:
-    """Writes a page with two pictures below the view."""
+    """Writes a page with two pictures below the 3D view."""
     section = Section("View", [Viewer(scene, "What is shown.")])
     drawing = (
         '<svg xmlns="http://www.w3.org/2000/svg" width="900" height="600"/>'
@@ -112,7 +112,7 @@ plant."""
 
 
 def hue(color: list[int]) -> np.ndarray:
-    """Returns a colour without its shade."""
+    """Returns a colour without shading."""
     return np.array(color) / max(color)
 
 
@@ -157,8 +157,8 @@ def test_organs_without_light_have_separate_colours(
 def test_the_ground_shows_north_from_above(
     tmp_path: Path, direction: float | None
 ) -> None:
-    """The black pixels are the arrow's faces, over the ground around the
-    plant."""
+    """The black pixels are those of the arrow, which lies on the ground around
+    the plant."""
     script = (
         PIXELS
         + """
@@ -184,12 +184,12 @@ def test_the_ground_shows_north_from_above(
     assert errors == []
     assert shown["ground"] == [240, 233, 222]
     if direction is None:
-        # The view shows only the word for the row.
+        # The only black pixels are those of the word at the row.
         assert shown["count"] < 200
         return
     assert shown["count"] > 500
     x, y = shown["at"]
-    # The top is along the row.
+    # The row points to the top of the view.
     off = np.rad2deg(np.arctan2(x, y)) + direction
     assert abs((off + 180) % 360 - 180) < 25
     assert np.hypot(x, y) > 50

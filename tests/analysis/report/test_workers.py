@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reports are drawn by several processes."""
+"""Several processes draw the figures of a report."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from ideotype.report.workers import start_workers
 
 
 def meet(folder: Path, number: int) -> tuple[int, int]:
-    """Returns the number and the process once numbers 0 and 1 are both
-    running; number 0 returns last."""
+    """Returns the number and the process, after both numbers 0 and 1 have
+    started; number 0 returns last."""
     (folder / str(number)).touch()
     other = folder / str(1 - number)
     end = time.monotonic() + 60
@@ -33,7 +33,7 @@ def meet(folder: Path, number: int) -> tuple[int, int]:
 
 
 def die(number: int) -> None:
-    """Dies like a process when the memory runs out."""
+    """Kills its own process, as the system does when memory runs out."""
     os.kill(os.getpid(), signal.SIGKILL)
 
 
@@ -86,5 +86,5 @@ def test_a_copy_of_a_case_shows_the_same_moment(writer: WriterProcess) -> None:
         copy = pickle.loads(pickle.dumps(case))
         assert copy.best.objective == case.best.objective
         assert list(copy.top(3).generation) == [0, 0, 0]
-        # All other data come from the file itself.
+        # All other data are read from the file again.
         assert len(copy.histories[0].generations()) == 2

@@ -18,7 +18,8 @@ from ideotype import Error, Search
 _GENES = 20
 _BOUND = 5.12
 _CELLS = 20
-# By the standard deviation of noise: the better emitter of pyribs.
+# Score of the better emitter of pyribs, by the standard deviation of the
+# noise.
 _PYRIBS = {0: 29_632.0, 10: 17_629.2}  # of lines, Gaussian
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The program's optimizers find optima of functions of Python."""
+"""The program's optimizers find the optima of Python functions."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Crops that grow agree with references and measured seasons."""
+"""Growing crops agree with references and measured seasons."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ import ideotype
 ROOT = Path(__file__).parents[3]
 DATA = ROOT / "tests/data/growth"
 HYBRID = ROOT / "campaigns/crops/maize_hybrid.toml"
-#: The hybrid of the time of the measured seasons, 1982 and 1999.
+#: The hybrid of the period of the measured seasons, 1982 and 1999.
 FORMER = ROOT / "campaigns/plants/maize_hybrid_1980s.toml"
 
 
@@ -27,7 +27,7 @@ def read(name: str) -> list[list[str]]:
 
 
 def hours(largest: float, smallest: float) -> NDArray[np.float64]:
-    """Returns the temperature of each hour of a day: half a wave about the
+    """Returns the temperature of each hour of a day, a sine wave around the
     mean."""
     wave = np.sin(np.pi * np.arange(24) / 12)
     return (largest + smallest) / 2 + (largest - smallest) / 2 * wave
@@ -50,14 +50,14 @@ def test_leaf_areas_agree_with_the_reference_model() -> None:
 
 
 def test_a_stand_has_silking_and_maturity_of_gainesville_1982() -> None:
-    """Both were measured, on days 132 and 185 of the year."""
+    """Both were observed, on days 132 and 185 of the year."""
     crop = ideotype.Crop.from_file(FORMER)
     weather = {
         x[0]: (float(x[2]), float(x[3]))
         for x in read("ufga1982_weather_daily.csv")
     }
-    # The stand was sown 7 cm deep on 26 February: 45 + 6 x 7 deg C d to
-    # emergence (CERES).
+    # The stand was sown on 26 February at a depth of 7 cm, so that emergence
+    # takes 45 + 6 x 7 deg C d (CERES).
     day, sum_to_emergence = date(1982, 2, 26), 0.0
     while sum_to_emergence < 45 + 6 * 7:
         day += timedelta(1)
@@ -116,7 +116,8 @@ def test_the_mesh_of_a_growing_plant_has_its_green_area() -> None:
 def test_sorghum_grows_to_the_area_of_its_leaves() -> None:
     crop = ideotype.Crop.from_file(ROOT / "campaigns/crops/sorghum.toml")
     assert crop.silking == 16 * 41 + 20
-    # Leaves of the crop file have 0.40 m2 together; the lowest are dead.
+    # The total area of the leaves in the crop file is 0.40 m2; the lowest of
+    # them are dead.
     plant = crop.at(crop.silking)
     both = (plant.green_area + plant.dead_area).sum().item()
     assert both == pytest.approx(0.40, rel=0.05)
@@ -145,13 +146,13 @@ def test_ten_growth_stages_give_the_carbon_of_twenty() -> None:
         error = float(one.gross_assimilation_standard_error[0])
         results.append((carbon, error))
         assert one.sizes["stage"] == stages
-        # Growing plants have further leaves below those of the crop file, with
-        # areas that follow from the areas of the others.
+        # Growing plants have additional leaves below those of the crop file,
+        # with areas that follow from these.
         assert one.lai_by_stage.max() == pytest.approx(5.05, rel=0.05)
         assert one.dead_area_index_by_stage[0, -1] > 1
     (ten, ten_error), (twenty, twenty_error) = results
     spread = 3 * np.hypot(ten_error, twenty_error)
-    # Each stage has newly sampled fields.
+    # New fields are sampled for each stage.
     assert abs(ten - twenty) < spread + 0.02 * twenty
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The energy balance of single leaves, against independent code."""
+"""The energy balance of single leaves agrees with independent code."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Exported plants and fields can be opened with the readers of VTK, which
+"""Exported plants and fields can be opened by the readers of VTK, which
 ParaView also uses."""
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ FINAL_PATHS = 256
 
 
 def opened(reader: Any, path: Path) -> vtkPolyData:
-    """Returns the data that VTK reads, without an error."""
+    """Returns the data that VTK reads; errors are not permitted."""
     errors: list[str] = []
     reader.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
     reader.SetFileName(str(path))
@@ -54,12 +54,12 @@ def opened(reader: Any, path: Path) -> vtkPolyData:
 
 
 def cells(data: vtkPolyData, name: str) -> NDArray[np.float64]:
-    """Returns a value per face."""
+    """Returns one value per face."""
     return vtk_to_numpy(data.GetCellData().GetArray(name))
 
 
 def areas(data: vtkPolyData) -> NDArray[np.float64]:
-    """Returns the areas of the faces as VTK finds them [m2]."""
+    """Returns the areas of faces as VTK computes them [m2]."""
     size = vtkCellSizeFilter()
     size.SetInputData(data)
     size.Update()
@@ -67,13 +67,13 @@ def areas(data: vtkPolyData) -> NDArray[np.float64]:
 
 
 def exported(own: Path, to: Path, *options: object) -> Path:
-    """Writes a file by the program and returns its path."""
+    """Exports to a file and returns its path."""
     output_of("export", own, *options, "--to", to)
     return to
 
 
 def totals(data: vtkPolyData) -> tuple[float, float]:
-    """Returns the light that leaves and stalks absorb per area of ground [MJ
+    """Returns the light that leaves and stalks absorb, per area of ground [MJ
     m-2 day-1]."""
     fields = data.GetFieldData()
     ground = fields.GetArray("ground_area [m2]").GetValue(0)
@@ -99,7 +99,7 @@ def test_exported_light_of_a_plant_agrees_with_its_evaluation(
     assert np.all(cells(data, ERROR) >= 0)
     leaves, stalks = totals(data)
     incident = best.estimate("incident").mean
-    # Coordinates have seven decimals.
+    # Exported coordinates have seven decimals.
     assert leaves == pytest.approx(best.objective.mean, rel=1e-5)
     expected = best.estimate("stalk_fraction").mean * incident
     assert stalks == pytest.approx(expected, rel=1e-4)
@@ -182,8 +182,8 @@ def test_growing_plants_are_exported_at_their_stage(tmp_path: Path) -> None:
         assert surfaces.GetBounds() == pytest.approx(
             ends.T.ravel().tolist(), abs=1e-6
         )
-    # Both have the light of one day, in which the field is at most as bright as
-    # the sky.
+    # Each file contains the light of one day; faces receive at most the light
+    # above the canopy.
     light = []
     for day in ("2011-06-20", "2012-07-25"):
         to = exported(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Objectives of single components, in the output of the command line."""
+"""The command line prints objectives of single components."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of measured leaves become crop files: units and conventions, heights,
-stalks, ranks, several plants, and messages about wrong tables."""
+"""Tables of measured leaves are converted to crop files: units and
+conventions, heights, stalks, ranks, several plants, and error messages."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def crop(folder: Path, text: str, **more: Any) -> dict[str, Any]:
 
 
 def problems(folder: Path, text: str, **more: Any) -> list[str]:
-    """Returns the lines of the message, without the folder."""
+    """Returns the lines of the error message, without the folder."""
     with pytest.raises(InputError) as raised:
         crops(folder, text, **more)
     assert len(raised.value.problems) == len(str(raised.value).splitlines())
@@ -82,7 +82,7 @@ def test_columns_have_units_and_conventions(folder: Path) -> None:
     )
     assert tables["name"] == "field"
     low, high = tables["leaf"]
-    # Curvatures are those of the crop.
+    # Curvatures are taken from the crop.
     assert low == {
         "length": 0.35, "width": 0.045, "insertion_angle": 40, "azimuth": 90,
         "insertion_height": 0.25, "curvature": 60,
@@ -98,7 +98,7 @@ def test_columns_have_units_and_conventions(folder: Path) -> None:
 
 
 def test_heights_determine_the_curvature(folder: Path) -> None:
-    # With an exponent of 1 a leaf is an arc of a circle.
+    # With an exponent of 1 the midrib is an arc of a circle.
     bend, first = 100, 40
     radius = 0.5 / math.radians(bend)
     sine = math.sin(math.radians(first))
@@ -262,7 +262,7 @@ def test_a_leaf_table_may_have_several_plants(folder: Path) -> None:
         "field.csv:2:1: there is no plant 'DH 10' (the table has DH 1, DH 2); "
         "did you mean 'DH 1'?"
     ]
-    # Plants with problems do not hide those of other plants.
+    # Problems of one plant do not hide those of another.
     listed = problems(
         folder,
         "plant,leaf,length_cm,width_cm\na,1,40,x\na,2,40,5\nb,1,40,50\n"
@@ -277,7 +277,8 @@ def test_a_leaf_table_may_name_its_crop(folder: Path) -> None:
     maize = tomllib.loads((CAMPAIGNS / "crops" / "maize.toml").read_text())
     assert tables["organ"] == maize["organ"]
     assert tables["leaf"][9]["length"] == 0.6
-    # The file of a crop is relative to the table; the command line has priority.
+    # The path of a crop file is relative to the table; the command line takes
+    # precedence.
     two = "length_cm\n30\n40\n"
     named = f"# crop: two.toml\n{two}"
     assert crop(folder, named, otherwise=None)["organ"][0]["leaf"] == 2
@@ -287,7 +288,7 @@ def test_a_leaf_table_may_name_its_crop(folder: Path) -> None:
     assert problem.endswith("did you mean 'two.toml'? (named by # crop)")
     (problem,) = problems(folder, f"# crop: field.csv\n{two}")
     assert "a table of leaves is no crop" in problem
-    # A wrong crop is reported at its own lines.
+    # A problem in the crop file is reported at its line in that file.
     (folder / "two.toml").write_text(CROP.replace("0.05\n", "0.05\nx = 1\n"))
     (problem, *_) = problems(folder, named)
     assert problem.startswith("two.toml:")
@@ -311,7 +312,7 @@ def test_fit_writes_a_crop_file_of_each_plant(
     two = folder / "two.toml"
     assert run(trial, "--crop", two, "--plant", "B", "--to", folder) == 0
     assert capsys.readouterr().out == f"2 leaves are in {folder / 'B.toml'}\n"
-    # No plant is written if one file exists already.
+    # If one of the output files exists, no plant is written.
     assert run(trial, "--crop", two) == 4
     assert not (folder / "A.toml").exists()
     capsys.readouterr()

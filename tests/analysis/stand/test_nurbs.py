@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Surfaces of rational B-splines are exact."""
+"""NURBS surfaces are computed exactly."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from ideotype.stand.measured.nurbs import _nurbs
 
 
 def test_a_quarter_of_a_cylinder_is_round(tmp_path: Path) -> None:
-    """Three control points with the middle weight cos 45 deg are an arc of
-    90 deg (Piegl and Tiller 1997, The NURBS Book, section 7.3)."""
+    """With three control points and a middle weight of cos 45 deg the curve is
+    an arc of 90 deg (Piegl and Tiller 1997, The NURBS Book, section 7.3)."""
     lines = ["3", "2 1", "3 2", "0 0 0 1 1 1", "0 0 1 1"]
     for z in (0.0, 5.0):
         for x, y, weight in ((1, 0, 1), (1, 1, np.sqrt(0.5)), (0, 1, 1)):
@@ -25,5 +25,5 @@ def test_a_quarter_of_a_cylinder_is_round(tmp_path: Path) -> None:
     radius = np.hypot(blade.points[:, 0], blade.points[:, 1])
     assert radius == pytest.approx(1, abs=1e-14)
     assert np.ptp(blade.points[:, 2]) == pytest.approx(5)
-    # The facets are chords of equal parameter steps.
+    # Facets are chords over equal parameter steps.
     assert blade.area == pytest.approx(5 * np.pi / 2, rel=1e-3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants evaluated in Python have the same bits as in the program."""
+"""Plants evaluated in Python have bitwise the results of the program."""
 
 from __future__ import annotations
 
@@ -166,7 +166,7 @@ def test_evaluations_agree_bitwise_with_a_comparison(
 def test_evaluate_one_agrees_with_evaluate(
     stand: ideotype.Stand,
 ) -> None:
-    """The order of the numbers is that of quantities and axes."""
+    """Numbers are in the order of quantities and of their axes."""
     request: dict[str, Any] = {"seed": 5, "generation": 3, "tolerance": 0.02}
     evaluated = stand.evaluate_one(stand.baseline, **request)
     labelled = stand.evaluate(stand.baseline, **request).isel(plant=0)
@@ -220,7 +220,7 @@ def test_evaluations_release_the_interpreter_lock(
     stand.evaluate(stand.baseline, tolerance=0.0005, threads=1)
     done.set()
     counter.join()
-    # The count would be one or two if the lock were held.
+    # If evaluations held the interpreter lock, the count would be one or two.
     assert counted > 5
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The public benchmark: its scorer, its two ways and its theory agree."""
+"""The public benchmark: its scorer, its two methods and its theory agree."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ NAMES = ("cases", "leaf", "meshes", "plain", "program", "score", "theory")
 
 @pytest.fixture(scope="module")
 def benchmark() -> ModuleType:
-    """The modules of the benchmark, which are scripts and no package."""
+    """Provides the modules of the benchmark, which are scripts outside of any
+    package."""
     folders = [str(FOLDER), str(FOLDER / "adapters")]
     sys.path[:0] = folders
     try:
@@ -54,7 +55,7 @@ def test_answers_are_scored(benchmark: ModuleType, tmp_path: Path) -> None:
     )
     scores = score.score(values, answers, {"a": "black", "b": "energy"})
     assert list(scores) == ["black", "energy", "all"]
-    # A small part of the light is relative to a hundredth of all light.
+    # Errors of small values are relative to a hundredth of the total light.
     assert scores["black"].relative == pytest.approx([0.02, 0.1])
     assert scores["black"].deviations == pytest.approx([2], rel=1e-6)
     assert scores["energy"].relative == pytest.approx([0.05])
@@ -148,14 +149,16 @@ def test_both_methods_reproduce_the_values(
         for way in filter(None, ways):
             estimate, uncertain = way[quantity]
             together = (error**2 + uncertain**2) ** 0.5
-            # The bound is wide since errors are those of 16 repetitions.
+            # The tolerance is wide because standard errors come from only 16
+            # repetitions.
             assert abs(estimate - value) <= 5 * together + 1e-6 * abs(value)
             scale = 50 if case["class"] == "assimilation" else 1
             assert together < 0.02 * scale
 
 
 def test_stored_values_have_small_errors(benchmark: ModuleType) -> None:
-    """Each value that theory lacks is between those of both ways or near."""
+    """Values without theory lie between those of both methods or close to
+    them."""
     values = benchmark.score.read(FOLDER / "values.csv")
     for (name, quantity), (value, error) in values.items():
         assert error <= (0.05 if name.startswith("assim") else 1e-3), name

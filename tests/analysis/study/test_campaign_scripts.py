@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scripts of analysis/study run and print plausible tables."""
+"""The scripts of analysis/study run and print plausible tables."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ def run(script: str, *words: object) -> str:
 
 
 def test_erect_leaves_pay_only_where_plants_stand_close() -> None:
-    """Fields showed this: Winter and Ohlrogge 1973, Agronomy Journal 65,
-    395."""
+    """Field experiments showed this: Winter and Ohlrogge 1973, Agronomy
+    Journal 65, 395."""
     table = run("erect_leaves.py", "--densities", 3, 12)
     for name in (
         "upper 5 leaves at 12 deg",
@@ -81,8 +81,8 @@ def test_neighbours_share_land_and_are_invaded(tmp_path: Path) -> None:
     cell = r" (\S+) ± \S+ % \(95 %; by seed \S+\) \|"
     invaders = re.findall(rf"(?m)^\| [a-z\' ]+ \|{2 * cell}$", tables)
     assert len(invaders) == 2, tables
-    # No neighbour shades a larger plant, whose stand has the value of the
-    # plant.
+    # Smaller neighbours do not shade a tall invader, but other invaders do.
+    # A stand of invaders therefore gains less than a single one.
     for alone, stand in invaders:
         assert float(alone) > 20 and float(alone) > float(stand) + 20
 
@@ -105,7 +105,7 @@ def test_light_of_strips_agrees_with_reports_by_sign(tmp_path: Path) -> None:
         / "form.csv"
     )
     compared = run("strip_light.py", "--table", form)
-    # The form has numbers of the program.
+    # The example values in the form were computed by the program.
     agreement = re.search(r"1:1 (\S+)", compared)
     assert agreement and float(agreement[1]) > 0.99, compared
 
@@ -125,7 +125,8 @@ def test_crops_below_panels_lose_light_and_leave_some_land(
         tmp_path, ["panels_measured", "panels_trial", "panels_bred"]
     )
     assert (tmp_path / "study" / "panels.png").stat().st_size > 10_000
-    # Measured at Foulum, with the sun above 27 deg.
+    # The expected value was measured at Foulum, with a solar elevation above
+    # 27 deg.
     front = re.search(r"(?m)^\| 15:45 \| 43 \| 906: (\S+) \|", tables)
     assert front and abs(float(front[1])) < 5, tables
     shade = re.findall(
@@ -159,7 +160,7 @@ def test_growth_changes_carbon_in_the_expected_direction(
         return float(found[1])
 
     assert 40 < number("full canopy: more carbon [%]") < 70
-    # Leaves that age take up less after silking.
+    # Ageing leaves assimilate less after silking.
     assert 50 < number("after silking [%]") < 70
     assert {x.name for x in tmp_path.iterdir()} == {
         "stages.png", "plants.png", "season.png",
@@ -183,7 +184,8 @@ def test_plants_optimised_with_growth_are_tabulated(
         assert found is not None, tables
         return float(found[1])
 
-    # Gainesville 1982 had 8.3 and 22.0: more than is left by all respiration.
+    # 8.3 and 22.0 were measured at Gainesville in 1982. The model leaves less
+    # because of respiration.
     shoots = season("shoot at silking | 8.3")
     assert shoots == pytest.approx(6.1, rel=0.1)
     assert season("these four together") > 35
@@ -203,8 +205,8 @@ def test_maize_transpires_as_in_the_field() -> None:
     )
     assert change is not None, table
     less, shut, warmer = map(float, change.groups())
-    # The field has -34 % and 0.5 to 0.6 K; its 7 to 11 % less water hold what
-    # the soil evaporates.
+    # In the field the changes were -34 % and 0.5 to 0.6 K. The field used 7 to
+    # 11 % less water, which includes evaporation from the soil.
     assert -20 < less < -7 and -45 < shut < -25 and 0.2 < warmer < 1, table
     season = re.search(r"(?m)^\| 2011 \| (\S+) \|", table)
     assert season is not None and 200 < float(season[1]) < 578, table
@@ -228,7 +230,7 @@ def test_carbon_gained_in_a_dry_month_costs_water(tmp_path: Path) -> None:
     assert len(rows) > 1, table
     for water, carbon, per_water in np.array(rows, float):
         assert 1 < water < 9
-        # A mean of ratios, in few fields.
+        # The printed ratio is a mean of ratios over few fields.
         assert per_water == pytest.approx(12.011 * carbon / water, rel=0.1)
 
 
@@ -255,7 +257,7 @@ def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
         for checkpoint in ("100", "250")
     ]
     gains = [float(row[2]) for row in rows]
-    # CMA-ES continues from its former result.
+    # CMA-ES resumes from its earlier result.
     assert gains[3] > gains[2]
     assert min(gains) > 5
     assert figure.stat().st_size > 10000
@@ -264,7 +266,7 @@ def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
 def test_gains_over_a_loss_are_in_the_unit_of_the_objective(
     tmp_path: Path,
 ) -> None:
-    """In this dense stand the baseline's season ends with a loss."""
+    """In this dense stand the baseline loses carbon over the season."""
     words = ["--objective", "carbon_balance", "--condition", "15x3"]
     table = run(
         *("paper_table.py", tmp_path, "--rough", "--evaluations", 200),
@@ -302,14 +304,14 @@ def test_gains_are_split_into_leaves_and_light_of_other_organs(
         gain, dead, alone, carbon, light = map(float, row[2::2])
         assert carbon == pytest.approx(gain - dead, abs=0.16)
         assert light == pytest.approx(dead - alone, abs=0.16)
-    # Plants optimised for light gain light of other organs.
+    # Plants optimised for light gain part of it from other organs.
     assert float(rows[0][10]) > float(rows[0][11])
 
 
 def test_strong_light_and_age_change_the_efficiency_of_a_season() -> None:
     leaf = run("strong_light.py", "--rough", "--only", "leaf")
     rates = re.findall(r"(?m)^\| (?:default|rate).*\| (\S+) \|$", leaf)
-    # Anchored at the rate that was measured in full light.
+    # The response is anchored at the rate measured in full light.
     assert rates == ["40.1", "48.7"]
     table = run("strong_light.py", "--rough", "--only", "efficiency")
     rows = re.findall(
@@ -355,8 +357,8 @@ def test_blades_of_the_script_absorb_the_light_of_the_program(
 def test_the_error_of_a_gain_agrees_with_simulated_ratios(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """The carbon balance at 15 x 3 inches is such a case: the baseline has
-    nearly nothing, and the noise of both plants is about the same."""
+    """At 15 x 3 inches the carbon balance is such a case: that of the baseline
+    is close to zero, and both plants have similar noise."""
     monkeypatch.syspath_prepend(CAMPAIGNS.parent / "analysis" / "study")
     shared = importlib.import_module("shared")
     draw, runs, count = np.random.default_rng(3), 2000, 16

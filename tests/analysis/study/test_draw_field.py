@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of fields are drawn by the commands of campaigns/README.md."""
+"""The commands of campaigns/README.md draw pictures of fields."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_a_field_is_drawn_at_eye_height_and_from_above(
     bright = (green > blue + 60) & (green > 120)
     dark = (blue > green + 40) & (red < 90)
     half = len(pixels) // 2
-    # The sky is at eye height alone, soil and leaves are in both views.
+    # The sky appears only at eye height; soil and leaves appear in both views.
     assert sky[: half // 2].sum() > 3000 > 100 > sky[half:].sum()
     for view in (slice(None, half), slice(half, int(0.85 * len(pixels)))):
         assert soil[view].sum() > 3000

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of plants are drawn by the commands of campaigns/README.md."""
+"""The commands of campaigns/README.md draw pictures of plants."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from real_program import CAMPAIGNS
 
 
 def draw(*arguments: object) -> subprocess.CompletedProcess[str]:
-    """Returns the output of analysis/study/draw_plants.py."""
+    """Runs analysis/study/draw_plants.py and returns its output."""
     script = CAMPAIGNS.parent / "analysis" / "study" / "draw_plants.py"
     words = [sys.executable, script, *arguments]
     return subprocess.run(
@@ -34,7 +34,7 @@ def test_baselines_and_optimised_plants_are_drawn(
     leaves = (green > red + 30) & (green > blue + 30)
     wood = (red > green + 10) & (green > blue + 10)
     middle = pixels.shape[1] // 2
-    # Leaves are in both columns, the panicles in the upper half.
+    # Leaves appear in both columns, and panicles in the upper half.
     assert min(leaves[:, :middle].sum(), leaves[:, middle:].sum()) > 1000
     assert wood[: len(wood) // 2].sum() > 100
 

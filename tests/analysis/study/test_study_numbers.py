@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers of analysis/study have 95 % intervals, and are compared so."""
+"""The numbers of analysis/study have 95 % intervals and are compared by means
+of them."""
 
 from __future__ import annotations
 
@@ -35,14 +36,15 @@ def test_95_of_100_printed_intervals_contain_the_truth(
         abs(float(mean) - 7) < float(half)
         for mean, half in (text.split(" ± ") for text in printed)
     )
-    # Four standard errors of a share of 0.95 are allowed.
+    # The tolerance is four standard errors of a frequency of 0.95.
     assert abs(hits / 2000 - 0.95) < 4 * np.sqrt(0.95 * 0.05 / 2000)
 
 
 def test_gains_over_a_loss_are_differences(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """In per cent a plant that loses less than another one seems worse."""
+    """In per cent of a loss, a plant with a smaller loss would appear
+    worse."""
     estimates = module("estimates", monkeypatch)
     erect_tops = module("erect_tops", monkeypatch)
     flat, erect = [-0.16, -0.15, -0.16], [-0.06, -0.05, -0.05]
@@ -105,8 +107,8 @@ def value(number: str) -> float:
 
 
 def test_texts_quote_numbers_of_their_tables() -> None:
-    """A number with an interval in a text is that of a table, which may have
-    more decimals. The last digit of an interval may differ by one."""
+    """A number with an interval in a text must agree with its table, which may
+    have more decimals. The last digit of the interval may differ by one."""
     quoted, tabulated = [], []
     for page in PAGES:
         text = page.read_text(encoding="utf-8")
@@ -190,8 +192,8 @@ def test_leaves_alone_have_no_other_organs(
 
 
 def test_the_sign_of_the_height_effect_agrees_with_interventions() -> None:
-    """Results of searches cannot show which direction of a trait gains; the
-    text must agree with the table that changes the trait alone."""
+    """Searches cannot show in which direction a change of a single trait
+    gains. The text must therefore agree with the table of such changes."""
     table = RESULTS.partition("<!-- study: interventions -->")[2]
     cell = r" (\S+) ± (\S+) \|"
     row = re.search(rf"(?m)^\| height x 0.7 \|{3 * cell}", table)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The script analysis/study/study.py makes tables from histories, and finds
+"""The script analysis/study/study.py makes tables from histories, and detects
 missing data."""
 
 from __future__ import annotations

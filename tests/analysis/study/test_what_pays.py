@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The values of single traits agree with analysis/study/what_pays.py."""
+"""The script analysis/study/what_pays.py computes the values of single traits
+correctly."""
 
 from __future__ import annotations
 
@@ -13,7 +14,8 @@ from real_program import CAMPAIGNS, executable, run_crop
 
 
 def test_only_leaf_traits_are_reset(tmp_path: Path) -> None:
-    """Sheaths and other organs have lengths and azimuths too."""
+    """Sheaths and other organs also have lengths and azimuths, which must not
+    change."""
     history = run_crop(tmp_path, "maize", ["length", "azimuth"])
     script, under = (
         CAMPAIGNS.parent / "analysis" / "study" / "what_pays.py",

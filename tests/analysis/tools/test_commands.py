@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The commands work as a user starts them."""
+"""The commands run as users start them."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def test_summary_prints_one_line_for_each_case(sweep: Path) -> None:
     assert all(len(row) == len(table[0]) for row in table)
     assert {row[2].strip() for row in table[2:]} == {"2"} and len(table) == 4
     assert all("±" in row[3] for row in table[2:])
-    # The table and the split of the gains, with captions, and the note about
-    # traits at a bound.
+    # The output consists of the table and the split of gains, each with a
+    # caption, and a note on traits at a bound.
     assert len(parts) == 5
     assert parts[2].startswith("| case ") and "leaves alone" in parts[2]
     lines = summary(sweep, "--csv").stdout.splitlines()
@@ -144,7 +144,7 @@ def test_program_and_package_hand_commands_to_each_other(
     by_package = run(BIN / "ideotype", "summary", finished)
     assert by_package[0] == 0
     assert run(program, "summary", finished) == by_package
-    # Files in the current folder replace no module.
+    # Files in the current folder must not be imported as modules.
     (tmp_path / "numpy.py").write_text("raise SystemExit('not NumPy')")
     assert run(program, "summary", finished, cwd=tmp_path) == by_package
     python = {"IDEOTYPE_PYTHON": "/usr/bin/python3"}
@@ -157,7 +157,8 @@ def test_program_and_package_hand_commands_to_each_other(
     compiled = {"IDEOTYPE_EXECUTABLE": program}
     by_program = run(program, "status", "--help")
     assert run(BIN / "ideotype", "status", "--help", **compiled) == by_program
-    # The package finds its own command on PATH, and must not begin it.
+    # The package finds its own command on PATH instead of the compiled
+    # program, and must not start it.
     itself = {"IDEOTYPE_EXECUTABLE": str(BIN / "ideotype")}
     missing = run(BIN / "ideotype", "status", **itself)
     assert missing[0] == 2 and "need the compiled program" in str(missing[2])

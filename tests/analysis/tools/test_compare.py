@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants in the same light: values, paired differences, profiles; measured
-plants; messages about wrong use."""
+"""Plants are compared in the same light: values, paired differences, profiles,
+measured plants and error messages."""
 
 from __future__ import annotations
 
@@ -140,7 +140,8 @@ def test_plants_of_a_history_and_of_exported_files_are_equal(
         output_of("export", tiny_run, "--best", "--to", file)
     table = compare_to_table(tmp_path, tiny_run, *files, "--under", campaign)
     assert table.plant.nunique() == 3
-    # Crop files have all digits, tables of measures those of measurements.
+    # Crop files contain all digits; the table of measured leaves contains
+    # rounded values.
     rounded = table.plant == table.plant.unique()[2]
     assert (table.difference[~rounded].abs() < 1e-12).all()
     assert (table.difference_standard_error[~rounded] < 1e-12).all()
@@ -216,7 +217,7 @@ def test_several_cases_fit_on_one_screen(
 
 
 def lines_of_maize(folder: Path, count: int, step: float = 0.05) -> Path:
-    """Writes a table of plants that differ in the length of their leaves."""
+    """Writes a table of plants with different leaf lengths."""
     rows = [
         f"DH{k:03},{leaf},{(40 + 4 * leaf) * (0.8 + step * k):.2f}"
         for k in range(count)
@@ -228,7 +229,7 @@ def lines_of_maize(folder: Path, count: int, step: float = 0.05) -> Path:
 
 
 def ranked(text: str) -> list[str]:
-    """Returns the names of plants in the order of lines."""
+    """Returns the names of plants in the order of the printed lines."""
     return re.findall(r"(?m)^(DH\d+) ", text)
 
 
@@ -255,7 +256,8 @@ def test_plants_of_a_table_are_ranked_with_a_line_each(
     (correlation,) = re.findall(r"\(Spearman\): (\S+)\.\n", text)
     assert float(correlation) > 0.9
     assert text.count("no significant difference from DH007 in ") == 2
-    # Any quantity and case may sort, and any plant may be the reference.
+    # Plants may be sorted by any quantity or case, and any plant may be the
+    # reference.
     assert run(*words, "--sort", "soil_fraction", "--reference", "DH003") == 0
     text = capsys.readouterr().out
     assert ranked(text) == names

@@ -74,7 +74,7 @@ def test_a_crate_describes_files_authors_licence_and_program(
     with open_study(folder) as study:
         for form in ("source", "resolved"):
             assert study[0].campaign(form) in texts
-    # A second crate takes the place of the first.
+    # A second crate replaces the first.
     assert write_and_read(folder) == crate
 
 
@@ -109,8 +109,8 @@ def test_without_rocrate_the_error_states_its_installation(
 def test_a_crate_passes_the_official_validator(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The context, which the validator would load from the network, is given
-    by the test for the terms of our crates."""
+    """The validator would load the context from the network; the test provides
+    a context with the terms of our crates."""
     import requests
     from rdflib.plugins.shared.jsonld.context import Context
     from rocrate_validator import models, services
@@ -155,7 +155,7 @@ def test_a_crate_passes_the_official_validator(
         ]
 
     assert problems() == []
-    # The validator does notice an error.
+    # The validator must detect errors.
     for each in crate["@graph"]:
         each.pop("license", None)
     (tmp_path / METADATA).write_text(json.dumps(crate))

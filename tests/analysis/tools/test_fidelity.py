@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cost of accuracy is planned by a clock, measured, pasted and drawn."""
+"""The cost of accuracy is measured within a given time, printed, drawn, and
+the result can be pasted into a campaign."""
 
 from __future__ import annotations
 
@@ -37,7 +38,8 @@ KEYS = [
 
 
 class Fake:
-    """Evaluations of known error; a fake clock counts their long times."""
+    """Evaluations with known errors; their long durations pass on a fake
+    clock."""
 
     def __init__(self, second: float = 1.0) -> None:
         self.now = 0.0
@@ -77,7 +79,7 @@ def test_settings_that_take_too_long_are_left_out_and_reported() -> None:
         "light.tolerance=0.005",
     ]
     assert (("light.tolerance", 0.005),) not in survey.draws
-    # The campaign itself is the most accurate of the remaining settings.
+    # Of the remaining settings, that of the campaign is the most accurate.
     assert survey.ladders[0][-1] == OWN
 
 
@@ -94,7 +96,7 @@ def test_biases_and_noise_are_estimated() -> None:
         {"plant.cells": 16},
     ]
     for row, n in zip(cells, (4, 8, 12, 16), strict=True):
-        # All draws share their random numbers, so that only the bias remains.
+        # All draws have common random numbers, so that only the bias remains.
         wanted = 0.5 / 16**2 - 0.5 / n**2
         assert row["value"]["bias"].mean == pytest.approx(wanted, abs=1e-4)
         assert row["value"]["bias"].standard_error < 1e-4
@@ -118,8 +120,8 @@ def test_each_member_of_a_front_is_more_accurate_than_all_cheaper() -> None:
 
 
 def measure(campaign: Path, *options: object) -> str:
-    # The program hands the command to Python, as for users, and then serves
-    # Python.
+    # As for users, the program passes the command to Python, and then
+    # evaluates plants for it.
     done = subprocess.run(
         [executable(), "fidelity", campaign, *map(str, options)],
         env=os.environ | {"IDEOTYPE_PYTHON": sys.executable},
@@ -133,10 +135,11 @@ def measure(campaign: Path, *options: object) -> str:
 
 
 def pasted(campaign: Path, told: str) -> Path:
-    """Returns the campaign with its tables replaced by those of the output."""
+    """Returns the campaign with its tables replaced by those in the output."""
     block = told.split("\n# ")[1].split("\n", 1)[1]
     headers = re.findall(r"^\[.*", block, re.MULTILINE)
-    # The output has no tables if the campaign itself is the cheapest setting.
+    # If the setting of the campaign is the cheapest, the output contains no
+    # tables.
     assert len(headers) == len(set(headers))
     changed = {name.split(".")[0] for name in tomllib.loads(block)}
     head, *tables = re.split(
@@ -153,7 +156,7 @@ def of_a_day(folder: Path) -> Path:
 
 
 def of_a_season(folder: Path) -> Path:
-    """Writes a campaign of four days of bondville.toml."""
+    """Writes a version of bondville.toml with four days."""
     text = (CAMPAIGNS / "bondville.toml").read_text()
     text = text.replace("to = 2011-09-20", "to = 2011-07-24")
     for name in ("weather", "crops"):
@@ -172,7 +175,7 @@ def test_printed_keys_are_valid_and_the_time_is_kept(
     began = time.monotonic()
     options = ("--seconds", 12, "--tolerance", 1e-4, "--json", file)
     output = measure(campaign, *options, "--figure", tmp_path / "fidelity.png")
-    # The time includes the start and the figure.
+    # The time includes the start and the drawing of the figure.
     assert time.monotonic() - began < 60
     results = json.loads(file.read_text())
     rows = [row for rows in results["keys"] for row in rows]
@@ -181,7 +184,8 @@ def test_printed_keys_are_valid_and_the_time_is_kept(
     assert 1 < sum(unique.values()) < 12.5
     keys = {key for row in rows for key in row["settings"]}
     assert keys
-    # On a busy machine some settings are left out and named.
+    # On a busy machine some settings cannot be measured; the output names
+    # them.
     keys |= {
         word.split("=")[0]
         for setting, why in results["left_out"].items()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Crop files are fitted to digitised plants: known plants are written in every
-readable format, and their leaves are recovered."""
+readable format, and the fit must recover their leaves."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ SIZES = (3, 6)
 def fitted(
     source: Path, capsys: pytest.CaptureFixture[str], *words: str
 ) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """Returns leaves of the crop file that is fitted to a source, and the
-    table of agreement."""
+    """Returns the leaves of the crop file fitted to a source, and the printed
+    table of deviations."""
     to = source.parent / f"{source.stem}_fitted.toml"
     to.unlink(missing_ok=True)
     arguments = [str(source), "--crop", str(MAIZE), "--to", str(to), "--json"]
@@ -56,7 +56,7 @@ def plant(path: Path) -> tuple[list[dict[str, Any]], Mesh]:
 
 
 def rows(mesh: Mesh) -> Iterator[np.ndarray]:
-    """Yields for each leaf the rows of its vertices, [rows, left middle right,
+    """Yields the rows of vertices of each leaf [rows, left middle right,
     3]."""
     for group in sorted({g for g in mesh.groups if g.startswith("leaf")}):
         faces = [f for f, g in zip(mesh.faces, mesh.groups) if g == group]
@@ -66,7 +66,8 @@ def rows(mesh: Mesh) -> Iterator[np.ndarray]:
 
 
 def write_obj(mesh: Mesh, path: Path, unit: float, noise: float = 0) -> None:
-    """Writes a mesh in a scanner's frame, turned over its soil by 40 deg."""
+    """Writes a mesh in the coordinates of a scanner, rotated by 40 deg about
+    the vertical."""
     turned = Rotation.from_euler("z", 40, degrees=True)
     draw = np.random.default_rng(1).normal(0, noise, mesh.vertices.shape)
     points = turned.apply(mesh.vertices + draw) / unit + [30, -8, 900]
@@ -135,8 +136,8 @@ def write_nurbs(
     mesh: Mesh, path: Path, unit: float, *, u_fastest: bool, from_tip: bool,
     names: bool, noise: float = 0,
 ) -> None:  # fmt: skip
-    """Writes leaves in the form of MaizeField3D: the net that fits their rows
-    best."""
+    """Writes leaves in the format of MaizeField3D, as the control points that
+    fit their rows best."""
     u = np.array([0.0, 0, 0, 1, 1, 1])
     v = np.array([0.0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1])
     draw = np.random.default_rng(2)
@@ -145,7 +146,7 @@ def write_nurbs(
         at = np.linspace(0, 1, len(leaf))
         along = make_lsq_spline(at, leaf, v, 3).c
         left, middle, right = along.transpose(1, 0, 2)
-        # A parabola runs across through the midrib.
+        # The cross section is a parabola through the midrib.
         net = np.stack([left, 2 * middle - (left + right) / 2, right])
         net = (net + draw.normal(0, noise, net.shape)) / unit + [2, 3, 40]
         if from_tip:
@@ -235,8 +236,8 @@ def test_leaves_of_midribs_are_fitted(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The source has points in centimetres, two digitisations of each leaf,
-    and another plant in the same file; lengths and azimuths are from a
-    separate table."""
+    and another plant in the same file; lengths and azimuths are in a separate
+    table."""
     known, mesh = plant(MAIZE)
     lines = ["plant,leaf,number,x_cm,z_cm", "other,1,0,0,0", "other,1,0,9,9"]
     measures = ["leaf,length_cm,width_cm,azimuth_deg,insertion_height_cm"]

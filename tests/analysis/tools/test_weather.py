@@ -29,7 +29,7 @@ from real_program import output_of, write_campaign
 from ideotype.tools.weather import main
 
 YEAR = SHIPPED / "723170TYA.CSV"
-PAR = 0.45  # The share of PAR in all solar radiation.
+PAR = 0.45  # The fraction of PAR in solar radiation.
 
 _SITE = """
 [[site]]
@@ -49,8 +49,8 @@ to = {last}
 
 
 def convert(folder: Path, *arguments: object) -> pd.DataFrame:
-    """Returns the table that main() writes, by the middles of time steps on
-    its clock."""
+    """Returns the table that the command writes, by the middles of time steps
+    on its clock."""
     to = folder / "weather.csv"
     assert main([*map(str, arguments), "--to", str(to)]) == 0
     return read(to)
@@ -101,8 +101,8 @@ def test_the_program_reads_a_typical_year_as_pvlib(
     assert found == pytest.approx(PAR * ghi, abs=1e-9)
     temperature = table.temp_air.to_numpy()
     assert np.array(weather["temperature"]) == pytest.approx(temperature)
-    # Diffuse light is as given, but with the sun at or below the horizon, and
-    # where the beam would exceed the beam outside the atmosphere.
+    # Diffuse light is unchanged, except if the sun is at or below the horizon
+    # or if the beam would exceed the extraterrestrial beam.
     is_up = cosine > 0.02
     outside = (
         pvlib.irradiance.get_extra_radiation(at, 1361.1).to_numpy() * cosine
@@ -124,7 +124,7 @@ def test_formats_of_earlier_versions_are_converted(
     name: str, tmp_path: Path
 ) -> None:
     converted = convert(tmp_path, DATA / name)
-    # test_wind_and_pressure_are_converted() tests wind and pressure.
+    # Wind and pressure are tested by test_wind_and_pressure_are_converted().
     converted = converted.drop(columns=["wind", "pressure"], errors="ignore")
     expected = read_expected()[list(converted)]
     assert ("diffuse" in converted) == (name != "power_lst.csv")
@@ -155,7 +155,7 @@ def test_the_program_reads_the_converted_file(tmp_path: Path) -> None:
 def test_the_error_for_another_format_states_the_conversion(
     tmp_path: Path,
 ) -> None:
-    """The command in the error message works."""
+    """The command given in the error message must work."""
     file = tmp_path / "mine.epw"
     file.write_bytes((DATA / "small.epw").read_bytes())
     with pytest.raises(AssertionError) as failure:
@@ -180,8 +180,8 @@ def test_the_error_for_another_format_states_the_conversion(
 def test_files_that_pvlib_refuses_or_misreads_are_converted(
     tmp_path: Path,
 ) -> None:
-    """The cases are half hours, names in Latin-1, commas in names, the end of
-    28 February in a leap year, and clocks of half an hour."""
+    """The cases are half-hourly data, names in Latin-1, names with commas, the
+    end of 28 February in a leap year, and clocks offset by half an hour."""
     sun = read_expected()["global"].iloc[:24].tolist()
     head = "LOCATION,S\xe3o,b,c,d,1,36.1,-79.95,-5.5,300\nDATA PERIODS,1,2\n"
     rows = [
@@ -236,8 +236,8 @@ def test_files_of_other_formats_are_converted(
 def test_hours_of_true_solar_time_keep_their_light(
     tmp_path: Path,
 ) -> None:
-    """Hours of light of DWD end some minutes after the hours of its clock;
-    temperature is in a separate file."""
+    """In files of DWD, hours of light end some minutes after full hours of the
+    clock; temperature is in a separate file."""
     light = minutes(1)[["global"]]
     light.index += pd.Timedelta("18min")
     hours = light.resample("1h", offset="18min").mean()
@@ -308,7 +308,7 @@ def test_a_typical_year_of_pvgis_begins_on_the_site_s_clock(
 
 
 def without_hours(folder: Path, *hours: int) -> Path:
-    """Writes the NSRDB file without the given rows."""
+    """Writes the NSRDB file without the given hours."""
     lines = (DATA / "nsrdb.csv").read_text().splitlines()
     for hour in sorted(hours, reverse=True):
         del lines[3 + hour]

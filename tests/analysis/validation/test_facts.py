@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Facts are read with all of their problems, and judged by their own
-errors."""
+"""Facts are read, all their problems are reported, and agreement depends on
+their errors."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def test_shipped_facts_name_real_files_and_sources() -> None:
 
 
 def test_shipped_facts_have_their_recorded_verdicts() -> None:
-    """A change that turns a pass into a miss is noticed, in a short form."""
+    """This short form detects a change that turns a pass into a miss."""
     for fact in read_facts(shipped_facts()).facts:
         if fact.verdict is not None:
             assert compare(fact, seeds=2).verdict == fact.verdict, fact.name

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of measurements are read with their units, and all of their problems
-are reported together with their lines."""
+"""Tables of measurements are read with their units, and all problems are
+reported together with their lines."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ def make_tmy3():
 
 def read_tmy3():
     table, _ = pvlib.iotools.read_tmy3(HERE / "tmy3.csv", map_variables=True)
-    # In pvlib's index 24:00 is the next day.
+    # In pvlib's index, the hour 24:00 belongs to the next day.
     table.index = pd.DatetimeIndex(table.index) - pd.Timedelta("30min")
     return table
 
@@ -72,7 +72,7 @@ def make_nsrdb(table):
 
 
 def make_power(table, name, clock, light):
-    """Writes a file of NASA POWER. light maps names of columns to columns of
+    """Writes a file of NASA POWER. `light` maps names of columns to columns of
     the table."""
     unit, factor = ("W/m^2", 1) if clock == "UTC" else ("MJ/hr", 0.0036)
     shift = pd.Timedelta(hours=-OFFSET if clock == "UTC" else 0)
@@ -110,7 +110,7 @@ def write_expected(table):
     sun = pvlib.solarposition.get_solarposition(
         table.index, LATITUDE, LONGITUDE, altitude=273
     )
-    # The model of Erbs in pvlib has a different solar constant than the
+    # The solar constant of pvlib's Erbs model differs from that of the
     # project.
     scale = 1366.1 / 1361.1
     day = pd.Series(table.index.day_of_year, index=table.index)
@@ -132,8 +132,8 @@ def write_expected(table):
 
 
 def same(table, read):
-    """Asserts that a reader finds equal numbers, whatever labels pvlib gives
-    to hours."""
+    """Asserts that a reader returns equal numbers; pvlib may label hours
+    differently."""
     for name in ("ghi", "dni", "dhi", "temp_air", "relative_humidity"):
         assert abs(read[name].to_numpy() - table[name].to_numpy()).max() < 1e-9
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cases of the benchmark: one dict each, as cases/NAME.json has it."""
+"""The cases of the benchmark, one dict each, with the contents of
+cases/NAME.json."""
 
 from __future__ import annotations
 
@@ -36,8 +37,8 @@ FARQUHAR = {
     "beta": 0.98,
     "temperature": 30.0,
 }
-# CO2 within leaves at 30 deg C and 60 % of humidity: 400 (0.84 - 0.19 D) for
-# C4 and 400 g1 / (g1 + sqrt(D)), with g1 5.79, for C3 leaves.
+# CO2 within leaves at 30 deg C and 60 % relative humidity: 400 (0.84 - 0.19 D)
+# for C4 leaves, and 400 g1 / (g1 + sqrt(D)) with g1 = 5.79 for C3 leaves.
 DEFICIT = 0.4 * saturated(30)
 COLLATZ["ci"] = 400 * (0.84 - 0.19 * DEFICIT)
 FARQUHAR["ci"] = 400 * 5.79 / (5.79 + DEFICIT**0.5)
@@ -111,7 +112,7 @@ def all_cases() -> dict[str, Case]:
         if more:
             parts.append(more["photosynthesis"]["model"])
         made = MESHES[mesh]()
-        # Without anything that scatters nothing is reflected.
+        # If no surface scatters, nothing is reflected.
         scatters = optics != BLACK or soil > 0
         cases["-".join(parts)] = {
             "class": kind,
@@ -196,7 +197,7 @@ def all_cases() -> dict[str, Case]:
 
 
 def write_cases() -> None:
-    """Writes meshes/ and cases/ again."""
+    """Rewrites meshes/ and cases/."""
     for folder in ("meshes", "cases"):
         (HERE / folder).mkdir(exist_ok=True)
         for old in (HERE / folder).iterdir():
@@ -210,7 +211,7 @@ def write_cases() -> None:
 
 
 def read_cases() -> dict[str, Case]:
-    """Reads cases/ as any program would."""
+    """Reads cases/ without the code that wrote it, like any program."""
     return {
         path.stem: json.loads(path.read_text())
         for path in sorted((HERE / "cases").glob("*.json"))
@@ -222,5 +223,6 @@ def mesh_of(case: Case) -> Any:
 
 
 def material_of(case: Case, group: str) -> list[float]:
-    """Reflectance of the upper and lower face, and transmittance."""
+    """Returns the reflectance of the upper and of the lower face, and the
+    transmittance."""
     return next(v for k, v in case["materials"].items() if group.startswith(k))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Leaf models of the benchmark in plain Python, from the published equations.
 
-Nothing here is shared with the program: these are the second way to compute
-cases of photosynthesis and of leaf energy, and tell other programs exactly
-what such a case asks for."""
+This module shares no code with the program. It is the second method for cases
+of photosynthesis and of leaf energy, and specifies these cases exactly for
+other programs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ R = 8.314462618e-3  # kJ mol-1 K-1
 
 
 def smaller_root(curvature: float, a: float, b: float) -> float:
-    """The smaller root x of q x^2 - (a + b) x + a b = 0."""
+    """Returns the smaller root x of q x^2 - (a + b) x + a b = 0."""
     if curvature == 0:
         return a * b / (a + b)
     return (a + b - sqrt((a + b) ** 2 - 4 * curvature * a * b)) / (
@@ -26,14 +26,15 @@ def smaller_root(curvature: float, a: float, b: float) -> float:
 
 
 def hyperbola(light: float, leaf: Mapping[str, float]) -> float:
-    """Gross assimilation [umol m-2 s-1] in absorbed light (Thornley 1976)."""
+    """Returns gross assimilation [umol m-2 s-1] at the given absorbed light
+    (Thornley 1976)."""
     return smaller_root(leaf["theta"], leaf["phi"] * light, leaf["amax"])
 
 
 def collatz(
     light: float, t: float, ci: float, leaf: Mapping[str, float]
 ) -> float:
-    """Gross assimilation of a C4 leaf (Collatz et al. 1992)."""
+    """Returns gross assimilation of a C4 leaf (Collatz et al. 1992)."""
     q10 = 2 ** ((t - 25) / 10)
     capacity = (
         leaf["vmax"]
@@ -51,8 +52,9 @@ def collatz_respiration(t: float, leaf: Mapping[str, float]) -> float:
 def farquhar(
     light: float, t: float, ci: float, leaf: Mapping[str, float]
 ) -> float:
-    """Gross assimilation of a C3 leaf (Farquhar et al. 1980) with constants of
-    Bernacchi et al. 2001 and 2003, and 210 mmol mol-1 of oxygen."""
+    """Returns gross assimilation of a C3 leaf (Farquhar et al. 1980), with the
+    constants of Bernacchi et al. 2001 and 2003 and 210 mmol mol-1 of
+    oxygen."""
     k = t + 273.15
 
     def arrhenius(c: float, energy: float) -> float:
@@ -82,7 +84,7 @@ def farquhar(
 
 
 def gross(light: float, leaf: Mapping[str, Any]) -> float:
-    """Gross assimilation of a `photosynthesis` table of a case."""
+    """Returns gross assimilation by the table `photosynthesis` of a case."""
     if leaf["model"] == "hyperbola":
         return hyperbola(light, leaf)
     model = {"collatz": collatz, "farquhar": farquhar}[leaf["model"]]
@@ -90,17 +92,19 @@ def gross(light: float, leaf: Mapping[str, Any]) -> float:
 
 
 def saturated(t: float) -> float:
-    """Vapour pressure over water [kPa] (Tetens 1930)."""
+    """Returns the saturation vapour pressure over water [kPa] (Tetens
+    1930)."""
     return 0.61078 * exp(17.27 * t / (t + 237.3))
 
 
 def energy_balance(case: Mapping[str, Any]) -> dict[str, float]:
-    """Temperature [deg C] and fluxes of a C4 leaf with stomata after Medlyn,
-    by nested bisection: for each leaf temperature the assimilation that agrees
-    with the stomata, and the temperature at which energy is in balance.
+    """Returns temperature [deg C] and fluxes of a C4 leaf with stomata after
+    Medlyn, by nested bisection: the inner one finds the assimilation that
+    agrees with the stomata at a leaf temperature, the outer one the
+    temperature at which the energy is balanced.
 
-    The case has what a leaf absorbs on both faces together and its air, as in
-    README.md. It must have one balance, and no dew."""
+    The case states the radiation absorbed by both faces together and the air,
+    as in README.md. It must have a single solution, without dew."""
     ta, pressure, width = case["air"], case["pressure"], case["width"]
     vapour = case["rh"] * saturated(ta)
     absorbed = case["ppfd"] / 4.57 + case["nir"] + case["longwave"]
@@ -109,14 +113,15 @@ def energy_balance(case: Mapping[str, Any]) -> dict[str, float]:
     molar = pressure / (R * (ta + 273.15))
 
     def heat(t: float) -> float:
-        """Conductance of one face [mol m-2 s-1]."""
+        """Returns the conductance of one face for heat [mol m-2 s-1]."""
         forced = 1.4 * 0.135 * sqrt(case["wind"] / d)
         free = 0.05 * (abs(t - ta) / d) ** 0.25
         still = 2.15e-5 * molar / d
         return (forced**3 + free**3 + still**3) ** (1 / 3)
 
     def stomata(t: float) -> tuple[float, float, float]:
-        """Net assimilation, conductance and ci at a leaf temperature."""
+        """Returns net assimilation, stomatal conductance and ci at a leaf
+        temperature."""
         gb = 2 * 1.09 * heat(t)
         loss = collatz_respiration(t, case)
 

@@ -30,7 +30,8 @@ from cases import Case, read_cases, write_cases  # noqa: E402
 
 PATHS, PLAIN_PATHS, PLAIN_REPEATS = 2**17, 2**15, 16
 
-# Mean, standard error and rounds by (case, quantity) of each way.
+# Mean, standard error and number of rounds by (case, quantity), for each
+# method.
 Key = tuple[str, str]
 Found = dict[str, dict[Key, tuple[float, float, int]]]
 
@@ -71,7 +72,7 @@ def write(path: Path, found: Found) -> None:
 
 
 def add_round(found: Found, name: str, case: Case) -> None:
-    """Adds the answers of both ways with the next seed."""
+    """Adds the answers of both methods with the next seed."""
     first = (name, case["quantities"][0])
     done = found["program"].get(first, (0, 0, 0))[2]
     ways = {
@@ -91,7 +92,8 @@ def add_round(found: Found, name: str, case: Case) -> None:
 
 
 def together(found: Found, key: Key) -> tuple[float, float]:
-    """The mean of both ways, each weighted by its precision."""
+    """Returns the mean of both methods, weighted by precision, and its
+    error."""
     known = [rows[key] for rows in found.values() if key in rows]
     for mean, error, _ in reversed(known):
         if error == 0:
@@ -110,7 +112,7 @@ def is_done(
     if found["program"][keys[0]][2] >= rounds:
         return True
     exact = theory.answer(case)
-    # Assimilation is relative to what leaves can do at most.
+    # Errors of assimilation are relative to its maximum.
     scale = 50.0 if case["class"] == "assimilation" else 1.0
     return all(
         k[1] in exact or together(found, k)[1] <= error * scale for k in keys
@@ -134,7 +136,8 @@ def values(
 
 
 def compare(found: Found, cases: dict[str, Case], out: TextIO) -> float:
-    """Tells how far both ways are apart, and each from theory, by class.
+    """Prints for each class the differences between both methods, and between
+    each method and theory.
 
     Returns the largest deviation in standard errors."""
     pairs = defaultdict(list)
@@ -152,7 +155,7 @@ def compare(found: Found, cases: dict[str, Case], out: TextIO) -> float:
             for i, one in enumerate(ways):
                 for other in ways[:i]:
                     a, b = rows[one], rows[other]
-                    # Rounding of what methods.csv keeps is allowed for.
+                    # The error includes the rounding in methods.csv.
                     error = (
                         a[1] ** 2 + b[1] ** 2 + (2e-8 * a[0]) ** 2 + 1e-20
                     ) ** 0.5

@@ -12,10 +12,10 @@ import numpy as np
 
 @dataclass
 class Mesh:
-    """Flat faces of four corners [m] over a cell that repeats; z is up.
+    """Flat quadrilaterals [m] over a cell that repeats; z is up.
 
-    `corners` has a [4, 3] array for each face, counter-clockwise seen from its
-    upper side, and `groups` the name of its organ."""
+    `corners` contains an array [4, 3] for each face, counter-clockwise as seen
+    from its upper side, and `groups` the name of the organ of each face."""
 
     period: tuple[float, float]
     corners: list[np.ndarray] = field(default_factory=list)
@@ -26,7 +26,7 @@ class Mesh:
         self.groups.append(group)
 
     def level(self, group: str, x: tuple[float, float], height: float) -> None:
-        """Adds a strip along the whole cell in y."""
+        """Adds a horizontal strip along the whole cell in y."""
         y = self.period[1]
         self.add(
             group,
@@ -42,7 +42,7 @@ class Mesh:
 
     @property
     def area(self) -> np.ndarray:
-        """One-sided area of each face [m2]."""
+        """Returns the one-sided area of each face [m2]."""
         c = np.array(self.corners)
         return (
             np.linalg.norm(
@@ -60,8 +60,9 @@ def sheets(number: int) -> Mesh:
 
 
 def beer(layers: int) -> Mesh:
-    """Strips of which each layer covers half of any layer above it, whatever
-    the direction: exactly half of the light passes each."""
+    """Returns layers of strips. Each layer covers half of the area of any
+    layer above it, in every direction, so that it intercepts exactly half of
+    the light."""
     mesh = Mesh((1, 1))
     for i in range(layers):
         strips = 2**i
@@ -76,7 +77,7 @@ def beer(layers: int) -> Mesh:
 
 
 def walls() -> Mesh:
-    """Hedges without thickness, 0.6 m high, each metre."""
+    """Returns hedges without thickness, 0.6 m high and 1 m apart."""
     mesh = Mesh((1, 1))
     mesh.add("leaf01", (0.5, 0, 0), (0.5, 1, 0), (0.5, 1, 0.6), (0.5, 0, 0.6))
     return mesh
@@ -90,7 +91,7 @@ def strips() -> Mesh:
 
 
 def panels(tilt: float, width: float, pitch: float, height: float) -> Mesh:
-    """A row of modules whose front looks west (270 deg), in the direction in
+    """Returns a row of modules with their front to the west (270 deg), for
     which infinite sheds are computed."""
     mesh = Mesh((pitch, 1))
     angle = np.radians(tilt)
@@ -107,9 +108,9 @@ def panels(tilt: float, width: float, pitch: float, height: float) -> Mesh:
 
 
 def scattered(number: int, side: float, lean: float, seed: int) -> Mesh:
-    """Square leaves at random; their zeniths have the density of the sine times
-    a power of the cosine (`lean` above 0: flat leaves) or of the sine
-    (below 0: erect leaves)."""
+    """Returns randomly placed square leaves. Their zenith angles have the
+    density of the sine times a power of the cosine (`lean` > 0: flat leaves)
+    or of the sine (`lean` < 0: erect leaves)."""
     random = np.random.default_rng(seed)
     mesh = Mesh((1, 1))
     for i in range(number):
@@ -153,8 +154,9 @@ def plant(
     prefix: str = "",
     mesh: Mesh | None = None,
 ) -> Mesh:
-    """A stalk's leaves, of flat pieces that bend down from `rise[0]` by
-    `rise[1]` [deg] to the tip and taper; each leaf turns by `turn` [deg]."""
+    """Returns the leaves of a stalk. Each leaf consists of flat pieces that
+    taper. They rise by `rise[0]` at the base and bend by `rise[1]` to the tip
+    [deg]. Successive leaves differ by `turn` in azimuth [deg]."""
     mesh = mesh or Mesh(period)
     foot = np.array([at[0] * period[0], at[1] * period[1], 0.0])
     for i in range(leaves):

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A second way to trace light, for the benchmark alone: it shares no line with
-// the program, tests every face in double precision, wraps paths at the sides
-// of the cell, and needs nothing but the standard library. plain.py compiles
-// it, and tells it a case on standard input.
+// A second light tracer for the benchmark alone. It shares no code with the
+// program, tests every face in double precision, wraps paths at the sides of
+// the cell, and requires only the standard library. plain.py compiles it and
+// passes a case on standard input.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,7 +75,7 @@ Scene read() {
     return scene;
 }
 
-//! Adds the images of a triangle that reach into the cell.
+//! Adds those images of a triangle that reach into the cell.
 void add_images(Scene& scene, std::size_t face, Vector a, Vector b, Vector c) {
     const auto span = [&](int axis, double period) {
         const auto [low, high] = std::minmax({a[axis], b[axis], c[axis]});
@@ -104,7 +104,7 @@ struct Ray {
     Vector from, along;
 };
 
-//! Where a ray meets a triangle, or infinity.
+//! Returns the distance at which a ray hits a triangle, or infinity.
 double distance(const Ray& ray, const Triangle& triangle) {
     const Vector p = cross(ray.along, triangle.second);
     const double determinant = dot(triangle.first, p);
@@ -123,11 +123,11 @@ struct Hit {
     std::size_t face = 0;
 };
 
-//! Moves a ray to what it meets next.
+//! Moves a ray to the surface that it hits next.
 Hit next(const Scene& scene, Ray& ray) {
     double least = 1e-10;
     for (;;) {
-        // The way to the side of the cell, to the soil or to the top.
+        // The distance to the side of the cell, the soil or the top.
         double way = INFINITY;
         int side = 2;
         for (int axis = 0; axis < 3; ++axis) {
@@ -164,7 +164,7 @@ Hit next(const Scene& scene, Ray& ray) {
     }
 }
 
-//! A direction about a normal with the density of its cosine.
+//! Returns a cosine-distributed direction about a normal.
 Vector lambertian(const Vector& normal, double u, double v) {
     const Vector side = unit(cross(
         normal, std::abs(normal[0]) > .7 ? Vector{0, 1, 0} : Vector{1, 0, 0}));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Answers by the second way: plain.cpp for light, leaf.py for leaves."""
+"""Answers by the second method: plain.cpp for light, leaf.py for leaves."""
 
 from __future__ import annotations
 
@@ -27,8 +27,9 @@ def _tracer() -> tuple[Path, tempfile.TemporaryDirectory[str]]:
 
 
 def face_weights(case: Case) -> list[float]:
-    """Gross assimilation over the light that each face absorbs, where leaves
-    are black and the sun is the only light: each point has the beam or none."""
+    """Returns gross assimilation per absorbed light for each face, if leaves
+    are black and the sun is the only source, so that each point receives the
+    full beam or no light."""
     mesh = mesh_of(case)
     if "photosynthesis" not in case:
         return [0.0] * len(mesh.groups)
@@ -50,7 +51,7 @@ def face_weights(case: Case) -> list[float]:
 
 
 def trace(case: Case, paths: int, repeats: int, seed: int) -> Answers:
-    """Traces a case of light or of assimilation under the sun."""
+    """Traces a case of light, or of assimilation under the sun."""
     mesh, light = mesh_of(case), case["light"]
     kind = light.get("sky", "sun")
     elevation, azimuth = light.get("sun", (0, 0))
@@ -84,7 +85,7 @@ def trace(case: Case, paths: int, repeats: int, seed: int) -> Answers:
 
 
 def answer(case: Case, paths: int, repeats: int, seed: int = 1) -> Answers:
-    """Answers any case; none where theory is the second way."""
+    """Answers any case; returns nothing if theory is the second method."""
     if case["class"] == "energy":
         found = energy_balance(case["inputs"])
         return {k: (found[k], 0.0) for k in case["quantities"]}

@@ -21,14 +21,15 @@ from pathlib import Path
 from statistics import median
 
 HERE = Path(__file__).resolve().parent
-LEAST = 0.01  # of the light on the ground, that relative errors refer to
+LEAST = 0.01  # fraction of the light on the ground
 HEADER = ["case", "quantity", "value", "standard_error"]
 
 Numbers = dict[tuple[str, str], tuple[float, float | None]]
 
 
 class AnswersError(Exception):
-    """A file of answers that cannot be scored: file, line, what is wrong."""
+    """A file of answers that cannot be scored; the message states file, line
+    and problem."""
 
 
 def read(path: Path) -> Numbers:
@@ -96,9 +97,10 @@ class Score:
 def score(
     values: Numbers, answers: Numbers, classes: dict[str, str]
 ) -> dict[str, Score]:
-    """Returns the score of each class, and of all together.
+    """Returns the score of each class and of all cases together.
 
-    Raises AnswersError of an answer that nothing asks for."""
+    Raises AnswersError for an answer to a case or quantity that does not
+    exist."""
     for key in answers:
         if key not in values:
             raise AnswersError(
@@ -122,7 +124,7 @@ def score(
         for each in both:
             each.relative.append(abs(given - value) / of)
         if uncertain is not None:
-            # Values are printed to eight digits.
+            # Values are rounded to eight digits.
             together = (
                 (error or 0) ** 2 + uncertain**2 + (1e-8 * value) ** 2 + 1e-18
             ) ** 0.5

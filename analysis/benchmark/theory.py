@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Exact values, where a case has them."""
+"""Exact values for cases with a known solution."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from shapely.geometry import Polygon, box
 
 
 def sheets(case: Case) -> dict[str, float]:
-    """Closed level sheets and soil: linear equations for the light that comes
-    down on each surface and goes up from it."""
+    """Solves horizontal sheets that cover the ground, and soil, by linear
+    equations for the light that falls on each surface and rises from it."""
     mesh = mesh_of(case)
     order = np.argsort([-c[0, 2] for c in mesh.corners])
     layers = [
@@ -42,15 +42,16 @@ def sheets(case: Case) -> dict[str, float]:
 
 
 def beer(case: Case) -> dict[str, float]:
-    """Each layer takes half of what comes to it: exp(-ln 2 i)."""
+    """Each layer transmits half of the incident light: exp(-ln 2 i)."""
     n = len(mesh_of(case).names)
     found = {f"leaf{i + 1:02d}": 0.5 ** (i + 1) for i in range(n)}
     return found | {"soil": 0.5**n, "reflected": 0.0}
 
 
 def shadow(case: Case) -> dict[str, float]:
-    """Black surfaces over black soil in the sun: the area of the union of all
-    shadows on the soil. Groups have no separate theory."""
+    """Returns the absorption by black surfaces over black soil in the sun: the
+    area of the union of all shadows on the soil. Theory does not distinguish
+    groups."""
     mesh = mesh_of(case)
     elevation, azimuth = np.radians(case["light"]["sun"])
     drift = -np.array([np.sin(azimuth), np.cos(azimuth)]) / np.tan(elevation)
@@ -77,9 +78,9 @@ def _images(low: float, high: float, period: float) -> tuple[int, int]:
 
 
 def walls(case: Case) -> dict[str, float]:
-    """Black walls of a height of 0.6 each metre under a uniform sky: by crossed
-    strings for the soil, and an integral over it of the square of its view of
-    the sky for what it reflects, as much of which is met by the walls."""
+    """Solves black walls 0.6 m high and 1 m apart under a uniform sky. The
+    soil follows from crossed strings. The reflected light is the integral over
+    the soil of its squared view of the sky; the walls absorb the remainder."""
 
     def view(x: float) -> float:
         left, right = x / np.hypot(x, 0.6), (1 - x) / np.hypot(1 - x, 0.6)
@@ -93,8 +94,9 @@ def walls(case: Case) -> dict[str, float]:
 
 
 def strips(case: Case) -> dict[str, float]:
-    """Two black level strips under a uniform sky: crossed strings from the lower
-    to all images of the upper one; black soil has the rest."""
+    """Solves two black horizontal strips under a uniform sky, by crossed
+    strings from the lower strip to all images of the upper one; black soil
+    absorbs the remainder."""
     mesh = mesh_of(case)
     (low, up), (z0, z1) = (
         [(c[0, 0], c[1, 0]) for c in mesh.corners],
@@ -108,7 +110,7 @@ def strips(case: Case) -> dict[str, float]:
         straight = np.hypot(a - low[0], h) + np.hypot(b - low[1], h)
         met += (crossed - straight) / 2
     upper = up[1] - up[0]
-    # Images that are left out are worth less than 1e-9.
+    # The omitted images contribute less than 1e-9.
     lower = (low[1] - low[0]) - met
     return {
         "leaf01": lower,
@@ -119,7 +121,8 @@ def strips(case: Case) -> dict[str, float]:
 
 
 def assimilation(case: Case) -> dict[str, float]:
-    """Closed sheets: all points of a sheet have the same light."""
+    """Solves horizontal sheets that cover the ground, on which light is
+    uniform."""
     light = sheets(case)
     names = mesh_of(case).names
     return {
@@ -131,7 +134,7 @@ def assimilation(case: Case) -> dict[str, float]:
 
 
 def answer(case: Case) -> dict[str, float]:
-    """Returns what theory knows of a case: all, part or nothing."""
+    """Returns the values of a case that theory provides: all, some or none."""
     kind = case["class"]
     light, soil = case.get("light", {}), case.get("soil_albedo")
     black = not any(any(m) for m in case.get("materials", {"": [1]}).values())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the answers of an adapter to every case that it takes."""
+"""Writes the answers of an adapter to all cases that it can compute."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ Answer = Callable[[Case], dict[str, tuple[float, float | None]]]
 
 
 def write_answers(name: str, answer: Answer) -> None:
-    """Writes answers/NAME.csv; a case that an adapter has no answer to is left
-    out."""
+    """Writes answers/NAME.csv. Cases that the adapter cannot compute are
+    omitted."""
     folder = HERE / "answers"
     folder.mkdir(exist_ok=True)
     with (folder / f"{name}.csv").open("w") as file:

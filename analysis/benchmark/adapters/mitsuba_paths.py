@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Answers of Mitsuba 3, a path tracer of computer graphics (pip install mitsuba).
+"""Answers of Mitsuba 3, a path tracer of computer graphics (pip install
+mitsuba).
 
-Mitsuba has no periodic cell: the mesh stands in a field of many copies, `REACH`
-metres to each side, and light is measured on the faces of the middle one and on
-the soil below it. Each sample starts at a random point of a face, on either
-side, in a direction with the density of its cosine, and Mitsuba's path
-integrator tells the radiance from there. Reflected light is what is left.
-Mitsuba has no leaf that reflects and transmits, so that `Sheet` is a material
-of this adapter. Mitsuba compiles with LLVM: where that of the system is too old,
-DRJIT_LIBLLVM_PATH names another."""
+Mitsuba has no periodic cell. The mesh is therefore repeated `REACH` metres to
+each side, and light is measured on the faces of the middle copy and on the
+soil below it. Each sample is a random point on either side of a face with a
+cosine-distributed direction; Mitsuba's path integrator computes the radiance
+from this direction. The reflected light is the remainder of the balance.
+Mitsuba has no material that both reflects and transmits diffusely, so that
+this adapter defines one, `Sheet`. Mitsuba compiles with LLVM: if the system's
+version is too old, DRJIT_LIBLLVM_PATH gives the path of another."""
 
 from __future__ import annotations
 
@@ -22,12 +23,12 @@ from answers import write_answers  # noqa: E402
 from cases import Case, material_of, mesh_of  # noqa: E402
 
 REACH = 12.0
-SAMPLES = 2**18  # of each case, half of them on the soil
+SAMPLES = 2**18  # for each case; half of the points are on the soil
 
 
 class Sheet(mi.BSDF):
-    """A Lambertian sheet without thickness: reflectance of its upper and lower
-    face, and transmittance."""
+    """A Lambertian sheet without thickness, with a reflectance of each face
+    and a transmittance."""
 
     def __init__(self, props: mi.Properties) -> None:
         mi.BSDF.__init__(self, props)
@@ -83,7 +84,7 @@ mi.register_bsdf("sheet", Sheet)
 
 
 def light_of(case: Case) -> dict[str, object]:
-    """An emitter that gives 1 to level ground."""
+    """Returns an emitter that gives unit irradiance on level ground."""
     if "sun" in case["light"]:
         elevation, azimuth = np.radians(case["light"]["sun"])
         to_sun = [
@@ -101,7 +102,7 @@ def light_of(case: Case) -> dict[str, object]:
             "type": "constant",
             "radiance": {"type": "uniform", "value": 1 / np.pi},
         }
-    # A map of the sky by zenith, with z up.
+    # The sky as a map by zenith angle, with z up.
     rows = (np.arange(512) + 0.5) / 512 * np.pi
     cosine = np.maximum(np.cos(rows), 0)
     radiance = np.where(cosine > 0, (1 + 2 * cosine) * 3 / 7 / np.pi, 0)
@@ -114,7 +115,7 @@ def light_of(case: Case) -> dict[str, object]:
 
 
 def sheets_of(case: Case, name: str, shifts: np.ndarray) -> mi.Mesh:
-    """All copies of the faces of a group, as one mesh of triangles."""
+    """Returns all copies of the faces of a group as one triangle mesh."""
     mesh = mesh_of(case)
     one = np.array([c for g, c in zip(mesh.groups, mesh.corners) if g == name])
     corners = (one[None] + shifts[:, None, None]).reshape(-1, 3)
@@ -167,8 +168,8 @@ def irradiance(
     to_sun: np.ndarray | None,
     seed: int,
 ) -> np.ndarray:
-    """Light that falls on points from the side of their normals, one sample each: a
-    ray with the density of the cosine, and one to the sun."""
+    """Returns the irradiance of points on the side of their normals. Each
+    point has one sample: a cosine-distributed ray, and a ray to the sun."""
     n = len(points)
     sampler = mi.load_dict({"type": "independent"})
     sampler.seed(seed, n)
@@ -197,7 +198,7 @@ def irradiance(
 def points_on(
     corners: np.ndarray, number: int, random: np.random.Generator
 ) -> np.ndarray:
-    """Random points of a face of four corners, evenly by area."""
+    """Returns uniformly distributed random points on a quadrilateral."""
     halves = np.array(
         [
             np.linalg.norm(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Answers of ideotype, by its Python package."""
+"""Answers of ideotype, through its Python package."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MODEL_KEYS = {
 
 
 def answer(case: Case, paths: int, seed: int = 1) -> Answers:
-    """Answers a case with a number of paths."""
+    """Answers a case with the given number of paths."""
     if case["class"] == "energy":
         found = ideotype.leaf_energy_balance(case["inputs"])
         return {k: (found[k], 0.0) for k in case["quantities"]}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Answers of pvlib's infinite sheds to cases of black panels."""
+"""Answers of pvlib's infinite sheds to cases with black panels."""
 
 from __future__ import annotations
 

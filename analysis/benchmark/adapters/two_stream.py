@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Answers of a two-stream model of a canopy without structure.
 
-Leaves of the mesh are taken as spread at random over the ground: diffuse light
-in both directions as by Goudriaan 1977 and Sellers 1985
+The leaves of the mesh are treated as randomly distributed over the ground.
+Diffuse light in both directions follows Goudriaan 1977 and Sellers 1985
 (doi:10.1080/01431168508948283), with the leaf area index of the mesh and the
 mean projection of its leaves towards sun and sky. The two equations are solved
-as a boundary value problem with the soil below."""
+as a boundary value problem with the soil at the bottom."""
 
 from __future__ import annotations
 
@@ -24,13 +24,15 @@ def normals_and_areas(case: Case) -> tuple[np.ndarray, np.ndarray]:
 
 
 def extinction(case: Case, to_light: np.ndarray) -> np.ndarray:
-    """Area of shadows on level ground over leaf area, for directions [n, 3]."""
+    """Returns the shadow area on level ground per leaf area, for directions
+    [n, 3]."""
     normals, areas = normals_and_areas(case)
     return np.abs(to_light @ normals.T) @ areas / areas.sum() / to_light[:, 2]
 
 
 def sky_directions(n: int = 64) -> tuple[np.ndarray, np.ndarray]:
-    """Directions of the sky and their part of a uniform sky's light."""
+    """Returns directions of the sky and the share of a uniform sky's
+    irradiance from each."""
     x, w = np.polynomial.legendre.leggauss(n)
     cosine, part = (x + 1) / 2, w / 2 * (x + 1)
     turns = 2 * np.pi * (np.arange(16) + 0.5) / 16
@@ -56,7 +58,8 @@ def answer(case: Case) -> dict[str, tuple[float, float | None]]:
     reflectance, albedo = (upper + lower) / 2, case["soil_albedo"]
     sky, parts = sky_directions()
     k_sky = extinction(case, sky)
-    # Direct light of sun or sky by depth, and what leaves take of it there.
+    # Unscattered light of sun or sky at each depth, and its absorption by
+    # leaves there.
     if "sun" in case["light"]:
         elevation, azimuth = np.radians(case["light"]["sun"])
         direction = [
@@ -69,7 +72,7 @@ def answer(case: Case) -> dict[str, tuple[float, float | None]]:
         k, weights = k_sky, parts
         if case["light"]["sky"] == "overcast":
             weights = parts * (1 + 2 * sky[:, 2]) * 3 / 7
-    # The mean of scattered light's extinction from all sides.
+    # The mean extinction of scattered light over all directions.
     diffuse = -np.log(parts @ np.exp(-k_sky * lai)) / lai
 
     def taken(depth: np.ndarray) -> np.ndarray:
@@ -100,7 +103,8 @@ def answer(case: Case) -> dict[str, tuple[float, float | None]]:
         "soil": (soil, None),
         "reflected": (reflected, None),
     }
-    # The share of each group of leaves is unknown, unless there is one alone.
+    # The model does not distinguish groups, so that the absorption is known
+    # only for a mesh of a single group.
     if len(mesh.names) == 1:
         found[mesh.names[0]] = (1 - soil - reflected, None)
     return found

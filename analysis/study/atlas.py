@@ -30,8 +30,7 @@ from ideotype.history.atlas import Atlas
 
 
 def table_of(atlas: Atlas) -> tuple[list[str], list[list[str]]]:
-    """Returns titles, and a row for each angle; the flattest angle comes
-    first."""
+    """Returns titles and one row per angle, the flattest angle first."""
     across, up = atlas.axes
     leaders = atlas.leaders
     cells = [["" for _ in across.spans()] for _ in up.spans()]

@@ -14,23 +14,23 @@ from scipy.interpolate import BSpline
 from shared import Numbers
 
 ALONG, HALF = 40, 2  # Cells from base to tip, and from midrib to margin.
-FINE = 8  # Steps of the midrib's integral per cell.
-#: The knots of the program's blades.
+FINE = 8  # Integration steps along the midrib per cell.
+#: The knots of blades in the program.
 KNOTS = [0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1]
 
 
 def power(exponent: float, s: float) -> float:
-    """Returns the part of the bend that a midrib reaches at relative length s,
-    in crop files."""
+    """Returns the fraction of the bend that a midrib has reached at relative
+    length s, as in crop files."""
     return float(s**exponent)
 
 
 def perez(half: float, s: float) -> float:
-    """Returns the part of a bend in two segments; the first, up to `half`, has
-    two thirds of it.
+    """Returns the fraction of a bend that consists of two segments. The first,
+    up to `half`, contains two thirds of the bend.
 
-    ADEL and ArchiCrop call this leaf_shape_perez; CORNIBU
-    (doi:10.1016/j.compag.2024.109694) has half = 0.5."""
+    ADEL and ArchiCrop call this leaf_shape_perez; in CORNIBU
+    (doi:10.1016/j.compag.2024.109694) half = 0.5."""
     first = s <= half
     c, t = (-0.2, s / half) if first else (5, (s - half) / (1 - half))
     part = (1 + c) * t * t / (1 + c * t * t)
@@ -38,12 +38,12 @@ def perez(half: float, s: float) -> float:
 
 
 def prevot(s: float) -> float:
-    """Returns the part of the bend of a midrib that is a parabola up to its
-    highest point, then an arc of a circle.
+    """Returns the fraction of the bend of a midrib that consists of a parabola
+    up to its highest point, followed by an arc of a circle.
 
-    Prevot and others 1991, Agronomie 11, 491, have this form, with medians of leaf 6
-    of the inbred F2 (ADEL, adelMons/data/05_geomF2_S1B1.h): 56 deg up to 0.53,
-    then 63 deg."""
+    This is the form of Prevot and others 1991, Agronomie 11, 491, with medians
+    of leaf 6 of the inbred F2 (ADEL, adelMons/data/05_geomF2_S1B1.h): 56 deg
+    up to 0.53, then 63 deg."""
     rise, top, fall = 56.0, 0.53, 63.0
     if s > top:
         return (rise + fall * (s - top) / (1 - top)) / (rise + fall)
@@ -62,7 +62,7 @@ def prevot(s: float) -> float:
 
 @dataclass(frozen=True)
 class Shape:
-    """The changes of shape that each blade has."""
+    """Changes of shape that apply to each blade."""
 
     source: str
     bend: Callable[[float], float] = partial(power, 1.5)  # noqa: RUF009
@@ -85,7 +85,7 @@ class Shape:
 
     @property
     def varies(self) -> bool:
-        """Whether leaves differ from each other at random."""
+        """Returns whether leaves differ at random."""
         return bool(
             self.roll or self.amplitude or (self.twist and not self.one_sense)
         )
@@ -93,8 +93,8 @@ class Shape:
 
 ADEL = "ADEL, ArchiCrop, CORNIBU"
 #: The model of github.com/UniCornXZC/parametric_maize_leaf, "Modeling Maize
-#: Leaf Geometry and Surface Area by Triangle Mesh": 7 or 10 angles, at random
-#: up to 45 deg.
+#: Leaf Geometry and Surface Area by Triangle Mesh", with 7 or 10 random angles
+#: of up to 45 deg.
 ROLL = "parametric_maize_leaf"
 #: The shapes by name; E marks estimates of this project.
 SHAPES = {
@@ -121,21 +121,21 @@ SHAPES = {
 
 
 def half_widths(controls: list[float], width: float) -> Numbers:
-    """Returns half widths of a blade at the rows of its mesh [m]."""
+    """Returns the half widths of a blade at the rows of its mesh [m]."""
     profile = BSpline(KNOTS, controls, 3)(np.linspace(0, 1, ALONG + 1))
     return np.asarray(width / 2 * profile / profile.max())
 
 
 def rolls(shape: Shape, halves: Numbers, draw: random.Random) -> Numbers:
-    """Returns turns of the cross-sections at the rows of a mesh [rad]: random
-    extremes to one side and the other in turn, half waves as long as the blade
-    is wide there."""
+    """Returns the rotation of the cross sections at the rows of a mesh [rad].
+    Random extremes alternate between both sides; each half wave is as long as
+    the blade is wide at its position."""
     count, first = shape.half_waves, draw.choice([0, 1])
     ends = np.zeros(count + 1)
     for k in range(1, count):
         ends[k] = (-1) ** (k + first) * shape.roll * draw.random()
-    # The phase grows by the inverse of the width, of which at least 40 % of
-    # the largest counts.
+    # The phase advances in inverse proportion to the width, which counts as at
+    # least 40 % of the largest width.
     steps = np.append(0, 1 / np.maximum(halves[1:], 0.4 * halves.max()))
     phase = count * np.cumsum(steps) / steps.sum()
     k = np.minimum(phase.astype(int), count - 1)
@@ -151,7 +151,8 @@ def blade(
     base: Numbers,
     seed: int,
 ) -> Numbers:
-    """Returns vertices, row by row from the base and from margin to margin."""
+    """Returns the vertices, row by row from the base, each row from margin to
+    margin."""
     azimuth = math.radians(leaf["azimuth"])
     out = np.array([math.sin(azimuth), math.cos(azimuth), 0])
     across = np.array([math.cos(azimuth), -math.sin(azimuth), 0])
@@ -164,8 +165,8 @@ def blade(
     phases = [2 * math.pi * draw.random() for _ in range(2)]
 
     def along(s: Numbers, ahead: float = 0) -> Numbers:
-        """Returns the midrib's direction, or a direction that is ahead by an
-        angle [rad]."""
+        """Returns the direction of the midrib, or the direction rotated ahead
+        by an angle [rad]."""
         bent = leaf["insertion_angle"] + bend * np.vectorize(shape.bend)(s)
         angle = (np.radians(bent) + ahead)[:, None]
         return np.asarray(np.sin(angle) * out + np.cos(angle) * up)

@@ -88,7 +88,7 @@ class SetUp:
         }
 
     def best(self, where: Condition, seed: int) -> Numbers:
-        """Returns the genome of the best plant that a search has found."""
+        """Returns the genome of the best plant of a search."""
         return bred(
             self.tables(where),
             "ga" if self.is_plot else "auto",
@@ -105,7 +105,7 @@ def stand(set_up: SetUp, where: Condition) -> Stand:
 
 @cache
 def best(set_up: SetUp, where: Condition) -> list[Numbers]:
-    """Returns a genome for each seed."""
+    """Returns the best genome of each seed."""
     seeds = set_up.seeds if where == FIRST else 1
     return [set_up.best(where, seed) for seed in range(1, seeds + 1)]
 
@@ -137,8 +137,8 @@ def over_elite(set_up: SetUp) -> str:
 
 
 def by_leaves(trait: str) -> Callable[[SetUp], str]:
-    """Prints the mean of a trait over the lower and over the upper leaves, for
-    each seed."""
+    """Prints the mean of a trait over the lower and the upper leaves, for each
+    seed."""
 
     def look(set_up: SetUp) -> str:
         here = stand(set_up, FIRST)
@@ -158,7 +158,7 @@ def by_leaves(trait: str) -> Callable[[SetUp], str]:
 def without(
     change: Callable[[Stand, Numbers], Numbers],
 ) -> Callable[[SetUp], str]:
-    """Prints the loss of the best plants [%] by a change."""
+    """Prints the loss of the best plants due to a change [%]."""
 
     def look(set_up: SetUp) -> str:
         here = stand(set_up, FIRST)
@@ -181,8 +181,8 @@ def equal_angles(here: Stand, genome: Numbers) -> Numbers:
 
 
 def erect_tops(here: Stand, genome: Numbers) -> Numbers:
-    """Returns the plant with its own insertion angles in another order, so
-    that the steepest leaves are on top."""
+    """Returns the plant with its insertion angles reordered, so that the
+    steepest leaves are at the top."""
     angles = leaves(here, genome)["insertion_angle"]
     return with_trait(
         here, genome, "insertion_angle", sorted(angles, reverse=True)
@@ -190,8 +190,8 @@ def erect_tops(here: Stand, genome: Numbers) -> Numbers:
 
 
 def even_widths(here: Stand, genome: Numbers) -> Numbers:
-    """Returns the plant with widths in proportion to the baseline's, and its
-    own leaf area."""
+    """Returns the plant with widths proportional to those of the baseline and
+    with unchanged leaf area."""
     plant, own = leaves(here, genome), leaves(here, here.baseline)
     scale = (plant.length * plant.width).sum() / (
         plant.length * own.width
@@ -207,9 +207,9 @@ def distichous(here: Stand, genome: Numbers) -> Numbers:
 
 
 def elsewhere(names: tuple[str, ...]) -> Callable[[SetUp], str]:
-    """Prints the gain of the plant of 42 deg north and 30 x 6 inches elsewhere
-    over the plant optimised there: [%], or the difference in mol where that
-    plant's carbon is not above zero."""
+    """Prints the gain of the plant optimised at 42 deg north and 30 x 6
+    inches, under other conditions, over the plant optimised there: in %, or in
+    mol if the carbon of the latter is not above zero."""
 
     def look(set_up: SetUp) -> str:
         cells = []

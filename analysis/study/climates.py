@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the light of campaigns that scripts of this folder write: a clear day,
-the season measured at Bondville, that season under the sun of another
+"""Makes the light of the campaigns that scripts of this folder write: a clear
+day, the season measured at Bondville, this season under the sun of another
 latitude, and an overcast day."""
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import pandas as pd
 from shared import SEVERAL_FIELDS, Numbers, campaign_of
 
 DAY = date(2025, 8, 7)
-#: A whole clear day, as a [[day]] of a campaign.
+#: A whole clear day as a [[day]] of a campaign.
 CLEAR_DAY: dict[str, Any] = {"date": DAY, "start": time(0), "end": "24:00"}
 SOLAR_CONSTANT = 1361.0
 """The light of the sun outside of the atmosphere [W m-2]."""
@@ -28,26 +28,27 @@ OVERCAST_SHARE = 0.25
 """The share of the light outside of the atmosphere that passes a closed layer
 of clouds (E)."""
 
-#: The [light] and [final] of plants that grow or exchange water. Their fields and
-#: leaves take most of the time, so that more paths cost next to nothing; with few
-#: paths, rare large values scatter by several per cent.
+#: The [light] and [final] of plants that grow or exchange water. Most of the
+#: time is spent on fields and leaves, so that more paths cost little; with few
+#: paths, rare large values cause errors of several per cent.
 PRECISE_LIGHT = {"tolerance": 0.005}
 PRECISE_FINAL = {"paths": 4096, "randomisations": 48}
 
 
 def bondville() -> dict[str, Any]:
-    """Returns the campaign of the season."""
+    """Returns the campaign of the Bondville season."""
     return campaign_of("bondville")
 
 
 def season() -> dict[str, Any]:
-    """Returns the season as a [[climate]]."""
+    """Returns the Bondville season as a [[climate]]."""
     return dict(bondville()["climate"][0])
 
 
 def growing_season(year: int = 2011, **tables: Any) -> dict[str, Any]:
-    """Returns the campaign of the hybrid that grows and ages in a year at
-    Bondville, for its carbon, with some tables replaced."""
+    """Returns the campaign of the hybrid that grows and ages during a year at
+    Bondville, with the carbon balance as objective. `tables` replace tables of
+    the campaign."""
     found = campaign_of(
         "growing_season", objective={"maximise": "carbon_balance"}, **tables
     )
@@ -56,8 +57,9 @@ def growing_season(year: int = 2011, **tables: Any) -> dict[str, Any]:
 
 
 def dry_month() -> dict[str, Any]:
-    """Returns July of the drought of 2012 at Bondville, where leaves exchange
-    water: site, climate, photosynthesis, water and light."""
+    """Returns site, climate, photosynthesis, water and light of a campaign of
+    July in the drought of 2012 at Bondville, in which leaves exchange
+    water."""
     found = growing_season(2012)
     (climate,) = found["climate"]
     del climate["emergence"]
@@ -72,9 +74,9 @@ def dry_month() -> dict[str, Any]:
 
 
 def growth() -> dict[str, Any]:
-    """Returns tables for optimising the hybrid that grows and ages in 2011 at
-    Bondville: site, climate, plant and light. Results of a single field would
-    be those of its few plants."""
+    """Returns site, climate, plant and light for optimising the hybrid that
+    grows and ages in 2011 at Bondville. Several fields are evaluated, because
+    results of a single field would depend on its few plants."""
     found = growing_season()
     return {
         **{name: found[name] for name in ("site", "climate", "plant")},
@@ -84,7 +86,7 @@ def growth() -> dict[str, Any]:
 
 
 def site(latitude: float) -> dict[str, Any]:
-    """Returns a site with clocks on solar time, except for the equation of
+    """Returns a site where clocks show solar time, except for the equation of
     time."""
     return {
         "name": "site",
@@ -95,7 +97,7 @@ def site(latitude: float) -> dict[str, Any]:
 
 
 def declination(day: date) -> float:
-    """Returns the declination of the sun [rad], by Spencer 1971."""
+    """Returns the declination of the sun [rad] (Spencer 1971)."""
     x = 2 * math.pi * (day.timetuple().tm_yday - 1) / 365
     return (
         0.006918
@@ -107,8 +109,8 @@ def declination(day: date) -> float:
 
 
 def light_outside(latitude: float, day: date, hours: Numbers) -> Numbers:
-    """Returns the light on a horizontal plane outside of the atmosphere [W
-    m-2], at hours of solar time."""
+    """Returns the extraterrestrial light on a horizontal plane [W m-2] at
+    hours of solar time."""
     tilt, turn = math.radians(latitude), declination(day)
     height = math.sin(tilt) * math.sin(turn) + math.cos(tilt) * math.cos(
         turn
@@ -117,14 +119,14 @@ def light_outside(latitude: float, day: date, hours: Numbers) -> Numbers:
 
 
 def half_day(latitude: float, day: date) -> float:
-    """Returns the hours from sunrise to noon."""
+    """Returns the time from sunrise to noon [h]."""
     x = -math.tan(math.radians(latitude)) * math.tan(declination(day))
     return math.degrees(math.acos(min(1.0, max(-1.0, x)))) / 15
 
 
 @cache
 def overcast_file(latitude: float, folder: Path) -> Path:
-    """Writes a weather file of one day without any direct light."""
+    """Writes a weather file of one day without direct light."""
     path = folder / f"overcast_{latitude:g}.csv"
     hours = np.arange(24) + 0.5
     light = OVERCAST_SHARE * light_outside(latitude, DAY, hours)
@@ -137,7 +139,7 @@ def overcast_file(latitude: float, folder: Path) -> Path:
 
 
 def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
-    """Returns a [[climate]] of one day without any direct light."""
+    """Returns a [[climate]] of one day without direct light."""
     return {
         "name": "overcast",
         "file": str(overcast_file(latitude, folder)),
@@ -155,13 +157,12 @@ def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
 def moved_season(
     latitude: float, folder: Path, file: str | None = None
 ) -> Path:
-    """Writes a weather file: the season of Bondville, or another file of that
-    place, under the sun of another latitude.
+    """Writes a weather file: the season of Bondville, or another file of this
+    site, under the sun of another latitude.
 
-    At each part of a day, from sunrise to sunset, the atmosphere transmits and
-    scatters the shares of light that it transmitted and scattered at Bondville
-    at that part of the day; temperature and humidity are those of the
-    hour."""
+    At each fraction of a day from sunrise to sunset, the atmosphere transmits
+    and scatters the same fractions of the light as at Bondville at this
+    fraction of the day. Temperature and humidity are those of the hour."""
     here = bondville()["site"][0]
     fast = here["longitude"] / 15 - here["utc_offset"]
     days = []
@@ -181,7 +182,8 @@ def moved_season(
             time=rows.time.str[:16],
             ppfd_umol=light * light_outside(latitude, day, hours),
         )
-        # Other files leave it to the clearness of the sky.
+        # In other files, the program derives diffuse light from the clearness
+        # of the sky.
         name = "diffuse_fraction_erbs"
         if name in rows:
             share = rows[name].to_numpy()[shines]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The conditions of arXiv:2512.06064, and campaigns for its three objectives."""
+"""The conditions of arXiv:2512.06064, and campaigns with the three
+objectives."""
 
 from __future__ import annotations
 
@@ -67,7 +68,7 @@ def campaign(
     plant: Path = MAIZE,
     is_alike: bool = False,
 ) -> dict[str, Any]:
-    """Returns the tables of a condition, without a search."""
+    """Returns the tables of a campaign under a condition, without a search."""
     tables: dict[str, Any] = {
         "name": f"{objective}_{where.name}",
         "spacing": [

@@ -48,19 +48,18 @@ SIZE = (7, 12)
 
 @dataclass(frozen=True)
 class Drawn:
-    """A field, and the light on each of its faces that belongs to a leaf [MJ
-    m-2 day-1]."""
+    """A field, and the light absorbed by each of its leaf faces [MJ m-2
+    day-1]."""
 
     field: Mesh
     light: list[float | None]
-    rows: tuple[float, ...]  # Places across, from the middle [m].
-    length: float  # Length of rows [m].
+    rows: tuple[float, ...]  # Positions of rows relative to the middle [m].
+    length: float  # Length of the rows [m].
 
 
 def of_campaign(path: Path, folder: Path) -> tuple[Mesh, Numbers, float]:
-    """Returns the field of a campaign, twice as wide and as long as in the
-    campaign, distances from each row to the next, and the length of rows
-    [m]."""
+    """Returns the field of a campaign, enlarged twofold in width and length,
+    the distances between successive rows, and the length of rows [m]."""
     tables = campaign_of(path)
     field, spacing = tables["field"], tables["spacing"][0]
     pattern = np.array(field.get("row_pattern", [1.0]))
@@ -128,7 +127,7 @@ def grown(plant: Path, row: float, step: float) -> Drawn:
 
 
 def in_view(drawn: Drawn, colors: Numbers) -> Field:
-    """Returns the field about the middle of its rows, shaded."""
+    """Returns the field, shaded and centred on the middle of its rows."""
     corners = drawn.field.corners
     middle = corners[..., 0].min() + corners[..., 0].max()
     corners = corners - [middle / 2, 0, 0]
@@ -151,7 +150,8 @@ def main() -> None:
         title, _, path = plant.rpartition("=")
         shown[title or Path(path).stem] = grown(Path(path), row, step)
     told = [x for each in shown.values() for x in each.light if x is not None]
-    # A few very bright faces would leave all others dark.
+    # The scale excludes the brightest 2 % of faces, which would make all
+    # others dark.
     brightest = float(np.quantile(told, 0.98))
 
     figure = new_figure(4.3 * len(shown), 6.4)

@@ -49,7 +49,7 @@ def draw(axes: Axes, mesh: Mesh, is_side: bool, turn: float = TURN) -> None:
     colors = (
         np.array([to_rgb(COLORS[kind]) for kind in kinds]) * shade[:, None]
     )
-    # Faces near the viewer are drawn over faces behind.
+    # Faces closer to the viewer are drawn over those behind.
     order = np.argsort([c[:, 2].mean() for c in corners])
     axes.add_collection(
         PolyCollection(

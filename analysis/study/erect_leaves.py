@@ -43,7 +43,7 @@ UPPER = 5
 
 Change = dict[str, list[float | None]]
 ALL_45: Change = {"insertion_angle": [45.0] * 10}
-#: Variants by name: the plant that is changed, and the plant that it becomes.
+#: Variants by name: the plant before and after the change.
 VARIANTS: dict[str, tuple[Change, Change]] = {
     "all leaves at 15 deg instead of as they are": (
         {},
@@ -83,8 +83,8 @@ def changed(stand: Stand, change: Change) -> Numbers:
 def gains(
     under: Path, density: float, row: float = ROW, settings: Settings = ()
 ) -> list[Estimate]:
-    """Returns the gain of each variant [%], at a density [m-2] in rows of this
-    distance [m]."""
+    """Returns the gain of each variant [%] at a density [m-2], in rows at the
+    given distance [m]."""
     spacing = (
         f"{{row = {row}, plant = {1 / density / row:.6f}, row_direction = 90}}"
     )

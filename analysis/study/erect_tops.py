@@ -74,8 +74,8 @@ LIGHTS = ("clear", "season", "overcast")
 LIMITS = ("carbon", "nitrogen", "area")
 TOPS = {"erect": [0.0, 25.0], "flat": [45.0, 90.0]}
 TOP_LEAVES = 4
-#: Insertion angles over those of the baseline [deg]. Measured lines differ by
-#: 10 deg, which makes no top flat.
+#: Range of insertion angles relative to the baseline [deg]. Measured lines
+#: differ by only 10 deg, which does not permit a flat top.
 ANGLES = (-10.0, 50.0)
 
 
@@ -95,7 +95,7 @@ class Condition:
 
 @dataclass(frozen=True)
 class Gains:
-    """The gains of the erect top over the flat one, one for each seed."""
+    """The gain of the erect top over the flat top, for each seed."""
 
     differences: list[Estimate]
     """In mol m-2 day-1."""
@@ -113,7 +113,8 @@ class Gains:
 
 
 def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
-    """Returns the tables of a condition, without a shape of the top."""
+    """Returns the tables of a condition; the shape of the top is still to be
+    set."""
     tables: dict[str, Any] = {
         "name": where.name,
         "site": bondville()["site"]
@@ -152,7 +153,7 @@ def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
 def bred(
     tables: dict[str, Any], top: str, seed: int, generations: int, folder: Path
 ) -> Numbers:
-    """Returns the genome of the best plant with this top."""
+    """Returns the genome of the best plant with the given shape of the top."""
     angles = {"range": TOPS[top], "highest": TOP_LEAVES}
     constraints = tables.get("constraints", {})
     shaped = {
@@ -168,8 +169,8 @@ def bred(
 def bred_pairs(
     tables: dict[str, Any], folder: Path, generations: int, seeds: int
 ) -> list[list[Numbers]]:
-    """Returns for each seed the best plant with a flat top, and that with an
-    erect one."""
+    """Returns the best plants with a flat and with an erect top, for each
+    seed."""
     return [
         [
             bred(tables, top, seed, generations, folder)
@@ -180,8 +181,7 @@ def bred_pairs(
 
 
 def gains(pairs: Sequence[Sequence[Sequence[float]]]) -> Gains:
-    """Compares the randomisations of a flat and an erect top, for each
-    seed."""
+    """Compares flat and erect tops by their randomisations, for each seed."""
     return Gains(
         [difference(*pair) for pair in pairs],
         [gain(*pair) for pair in pairs]
@@ -201,8 +201,7 @@ def gains_of(
 def sign_changes(
     results: dict[Condition, Gains],
 ) -> Iterator[tuple[Condition, Condition]]:
-    """Yields neighbouring densities between which the gain changes its
-    sign."""
+    """Yields successive densities between which the gain changes its sign."""
     for one, other in pairwise(sorted(results)):
         alike = (one.light, one.limit, one.latitude) == (
             other.light,
@@ -216,8 +215,8 @@ def sign_changes(
 def line(
     results: dict[Condition, Gains], one: Condition, other: Condition
 ) -> Estimate:
-    """Returns where the difference is zero between two densities [m-2], by a
-    straight line over the logarithm of density."""
+    """Returns the density [m-2] at which the difference is zero, interpolated
+    linearly over the logarithm of density."""
     low, high = (
         (math.log(x.density), mean_over_seeds(results[x].differences))
         for x in (one, other)

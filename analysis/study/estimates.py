@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Estimates of the study, means with standard errors: gains of plants with
-common random numbers, intervals over seeds, and the tables that print them.
+"""Estimates of the study, which are means with standard errors: gains of
+plants with common random numbers, intervals over seeds, and tables of them.
 Printed ± is half of a 95 % interval."""
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ Estimate = tuple[float, float]
 
 
 def estimate(values: Sequence[float]) -> Estimate:
-    """Returns mean and standard error of randomisations."""
+    """Returns the mean and the standard error of randomisations."""
     return fmean(values), stdev(values) / math.sqrt(len(values))
 
 
 def sign_change(
     low: tuple[float, Estimate], high: tuple[float, Estimate]
 ) -> Estimate:
-    """Returns the place where a line through two points is zero."""
+    """Returns the position at which the line through two points is zero."""
     (x, (y, error)), (x2, (y2, error2)) = low, high
     slope = (y2 - y) / (x2 - x)
     weight = -y / (y2 - y)
@@ -36,7 +36,7 @@ def sign_change(
 
 
 def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
-    """Returns 100 (after / before - 1) [%], of common randomisations of both
+    """Returns 100 (after / before - 1) [%] from common randomisations of both
     plants."""
     found = relative_gain(
         *(
@@ -48,28 +48,28 @@ def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
 
 
 def difference(before: Sequence[float], after: Sequence[float]) -> Estimate:
-    """Returns after - before, of common randomisations of both plants."""
+    """Returns after - before from common randomisations of both plants."""
     return estimate(np.subtract(after, before).tolist())
 
 
 def has_percent(before: Sequence[float]) -> bool:
-    """Returns whether gains over these values have a meaning in per cent: their
-    mean is above zero by three standard errors. Over a value below zero even
-    the sign of a gain in per cent is wrong."""
+    """Returns whether gains over these values can be stated in per cent: their
+    mean must be above zero by three standard errors. If it were below zero,
+    even the sign of the gain in per cent would be wrong."""
     mean, error = estimate(before)
     return mean > 3 * error
 
 
 def ratio(a: Estimate, b: Estimate) -> Estimate:
-    """Returns the ratio of two evaluations with independent errors."""
+    """Returns the ratio of two estimates with independent errors."""
     mean = a[0] / b[0]
     return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
 
 
 def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
-    """Returns the mean over seeds. The error is that of the evaluations, or of
-    the seeds where that is larger: so large that the normal interval of it is
-    Student's interval of the few seeds."""
+    """Returns the mean over seeds. Its standard error is the larger of that of
+    the evaluations and that between seeds. The latter is scaled so that the
+    normal interval equals Student's interval for the few seeds."""
     means = [mean for mean, _ in values]
     error = math.hypot(*(error for _, error in values)) / len(values)
     if len(values) > 1:
@@ -79,14 +79,13 @@ def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
 
 
 def half_interval(error: float) -> float:
-    """Returns half of the 95 % interval of a number with this standard
-    error."""
+    """Returns half of the 95 % interval for a standard error."""
     return NORMAL * error
 
 
 def told(value: Estimate, digits: int = 1, sign: str = "") -> str:
-    """Returns mean and half of the 95 % interval as text, with the sign "+"
-    before gains."""
+    """Formats a mean and half of its 95 % interval; with the sign "+" for
+    gains."""
     mean, error = value
     return f"{mean:{sign}.{digits}f} ± {half_interval(error):.{digits}f}"
 

@@ -41,7 +41,8 @@ QUANTITIES = ["distance_from_lines", "distance_from_line", "lai"]
 
 
 def campaign(objective: str, limit: float) -> dict[str, Any]:
-    """Returns the tables of a search."""
+    """Returns the tables of a search with a limit on the distance from
+    measured lines."""
     under = SEASON if objective == "carbon_balance" else DAY
     tables = tomllib.loads(under.read_text())
     kept = ("site", "day", "climate", "photosynthesis")

@@ -24,7 +24,7 @@ ROW, DENSITY = 0.762, 7.5
 SOIL_ALBEDO = 0.1
 HOURS = {
     "day": ("07:00:00", "20:00:00"),
-    # The sun is highest at 13:20.
+    # The sun is at its highest at 13:20.
     "noon": ("12:20:00", "14:20:00"),
     "whole": ("05:30:00", "21:00:00"),
 }
@@ -32,7 +32,7 @@ QUANTITIES = [
     *("soil_fraction", "lai"),
     *("light_use_efficiency", "gross_assimilation"),
 ]
-#: The one-sided area of the leaves of a plant [m2].
+#: One-sided leaf area per plant [m2].
 AREAS = {"hybrid": 0.6308, "hybrid of the 1980s": 0.4793}
 
 Tables = dict[str, Any]
@@ -47,9 +47,9 @@ PLANTS: dict[str, Tables] = {
     "hybrid": crop("crops/maize_hybrid.toml"),
     "hybrid of the 1980s": crop("plants/maize_hybrid_1980s.toml"),
 }
-#: The standard deviation of positions along the row in 354 fields of 1987 to
-#: 1996, by distances with one of 4.5 inches (Nielsen,
-#: kingcorn.org/research/psv/Update2004) [m].
+#: The standard deviation of positions along the row in 354 fields from 1987 to
+#: 1996 [m], calculated from that of plant distances, 4.5 inches (Nielsen,
+#: kingcorn.org/research/psv/Update2004).
 SURVEYED_POSITION = 0.075
 VARIATIONS: dict[str, Tables] = {
     "field": FIELD_PLANTS,
@@ -60,8 +60,8 @@ VARIATIONS: dict[str, Tables] = {
 
 @dataclass(frozen=True)
 class Field:
-    """A field: distance of rows [m], plants per area [m-2], the plant, the
-    differences between plants, and the light."""
+    """A field: distance between rows [m], plants per area [m-2], plant,
+    within-line variation and light."""
 
     row: float
     density: float
@@ -106,8 +106,8 @@ class Field:
 
 
 def density_of(area: float) -> float:
-    """Returns plants of the hybrid sown per area [m-2] for a leaf area index,
-    with the gaps of field plants."""
+    """Returns the number of sown plants of the hybrid per area [m-2] for a
+    leaf area index, with the missing plants of fields."""
     return area / AREAS["hybrid"] / (1 - FIELD_PLANTS["missing"])
 
 
@@ -116,7 +116,7 @@ JULY_NOON = replace(JULY, hours="noon")
 
 
 def measure(field: Field, accuracy: Settings = ()) -> dict[str, Estimate]:
-    """Returns figures of a field, and the extinction coefficient `k` of the
+    """Returns quantities of a field, and the extinction coefficient `k` of the
     light that reaches the soil, -ln(transmitted) / leaf area index."""
     stand = Stand(
         field.tables(),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Members of the Pareto fronts of fronts.py, with the price of their carbon."""
+"""Members of the Pareto fronts of fronts.py, with the amount of a resource
+that their carbon requires."""
 
 from __future__ import annotations
 
@@ -15,7 +16,7 @@ BALANCE = "carbon balance [mol m-2 day-1]"
 
 @dataclass(frozen=True)
 class Price:
-    """A quantity that carbon costs, and the titles of its table."""
+    """The resource that carbon requires, and the titles of its table."""
 
     quantity: str
     name: str
@@ -49,16 +50,17 @@ WATER = Price(
 
 @dataclass(frozen=True)
 class Found:
-    """Plants in the order of what they pay, with the baseline."""
+    """Plants in the order of the resource that they require, with the
+    baseline."""
 
     stand: Stand
     price: Price
     genomes: Numbers  # genomes [plants, genes], the baseline last
     lai: Numbers
-    paid_by_randomisation: Numbers  # in the unit of the price, as carbon
+    paid_by_randomisation: Numbers  # the resource, like `carbon`
     carbon: Numbers  # carbon balance of plants [plants, randomisations]
-    is_front: np.ndarray  # whether no other plant dominates a plant
-    seed: Numbers  # the seed that bred each plant but the baseline
+    is_front: np.ndarray  # whether a plant is not dominated by any other
+    seed: Numbers  # the seed that found each plant, without the baseline
 
     @property
     def front(self) -> list[int]:
@@ -66,11 +68,12 @@ class Found:
 
     @property
     def paid(self) -> Numbers:
-        """The price that each plant pays."""
+        """The amount of the resource that each plant requires."""
         return np.asarray(self.paid_by_randomisation.mean(1))
 
     def shown(self, count: int) -> list[int]:
-        """Returns members of the front at about equal steps of the price."""
+        """Returns members of the front at approximately equal steps of the
+        resource."""
         paid = self.paid[self.front]
         step = (paid[-1] - paid[0]) / max(count - 1, 1)
         number = np.round((paid - paid[0]) / max(step, 1e-9))

@@ -98,16 +98,16 @@ def find(options: argparse.Namespace) -> Found:
 
 
 def angles(found: Found, plant: int) -> list[str]:
-    """Prints the means of the upper four leaves and of the lower four leaves
-    [deg]."""
+    """Formats the mean angles of the four highest and of the lowest four
+    leaves [deg]."""
     crop = tomllib.loads(found.stand.crop_file(found.genomes[plant]))
     leaves = [leaf["insertion_angle"] for leaf in crop["leaf"]]
     return [f"{np.mean(x):.0f}" for x in (leaves[-4:], leaves[:4])]
 
 
 def top(found: Found) -> tuple[float, float, float]:
-    """Returns the price of the highest carbon balance, and its 95 % interval
-    by bootstrap over randomisations."""
+    """Returns the resource that the highest carbon balance requires, with its
+    95 % interval by bootstrap over randomisations."""
     bred = found.carbon[:-1]
     count = bred.shape[1]
     draws = np.random.default_rng(1).integers(count, size=(2000, count))
@@ -140,13 +140,13 @@ def tell(found: Found) -> None:
 
 
 def over_baseline(values: Numbers, plant: int) -> tuple[float, float]:
-    """Returns the gain of a plant over the baseline [%]."""
+    """Returns the gain of a plant over the baseline and its error [%]."""
     return gain(values[-1].tolist(), values[plant].tolist())
 
 
 def tell_ends(found: Found) -> None:
-    """Prints the price of the baseline's carbon on the front, and the carbon of
-    the plant with the most of it."""
+    """Prints the resource with which a plant on the front has the carbon of
+    the baseline, and the carbon of the best plant."""
     carbon = found.carbon.mean(1)
     ends = {
         f"least {found.price.name} of those with no less carbon than it": [

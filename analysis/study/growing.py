@@ -48,7 +48,7 @@ def tables(**light: Any) -> dict[str, Any]:
 
 
 def of_full_canopy(growing: dict[str, Any]) -> dict[str, Any]:
-    """Returns the days of a season with plants as they stand at silking."""
+    """Returns the same days with plants that remain as at silking."""
     stand = Stand(growing)
     days = stand.evaluate(stand.baseline, ["assimilation_by_day"]).day.values
     climate = dict(growing["climate"][0])
@@ -65,8 +65,8 @@ def number(stand: Stand, *names: str) -> list[float]:
 
 
 def errors_of_stages(paths: int, stages: tuple[int, ...]) -> list[float]:
-    """Returns by how much fewer stages than 40 change gross assimilation
-    [%]."""
+    """Returns the change of gross assimilation with fewer stages, compared
+    with 40 stages [%]."""
     found = [
         number(
             Stand(tables(paths=paths, stages=n, dates=n)),
@@ -78,8 +78,8 @@ def errors_of_stages(paths: int, stages: tuple[int, ...]) -> list[float]:
 
 
 def cost(pairs: int) -> tuple[float, float]:
-    """Returns the time of a growing season at an equal error over that of a
-    full canopy, as a mean over pairs with its standard error."""
+    """Returns the time of a growing season relative to that with a full canopy
+    at equal errors: the mean over pairs and its standard error."""
     growing = tables(tolerance=0.008)
     stands = [Stand(growing), Stand(of_full_canopy(growing))]
     name = "gross_assimilation"
@@ -98,7 +98,7 @@ def cost(pairs: int) -> tuple[float, float]:
 
 
 def carbon(paths: int) -> list[tuple[str, float]]:
-    """Returns how growth changes the carbon of a season."""
+    """Returns the effect of growth on the carbon of a season."""
     growing = Stand(tables(paths=paths))
     full = Stand(of_full_canopy(tables(paths=paths)))
     names = ("gross_assimilation", "respiration", "carbon_after_silking")
@@ -119,8 +119,8 @@ def carbon(paths: int) -> list[tuple[str, float]]:
 def erect_tops(
     paths: int, densities: tuple[float, ...]
 ) -> Iterator[list[Any]]:
-    """Yields the gain of an erect top over a flat top [%], with growth and
-    without."""
+    """Yields the gain of an erect over a flat top [%], with and without
+    growth."""
     for density in densities:
         growing = tables(paths=paths)
         growing["field"] = {"rows": 2, "plants": 2}

@@ -70,7 +70,7 @@ WAYS = ("growth", "full canopy")
 
 
 def campaigns(options: Options, density: float) -> dict[str, dict[str, Any]]:
-    """Returns the tables of a season with growth and without."""
+    """Returns the tables of a season with and without growth."""
     growing = tables(**PRECISE_LIGHT) | {
         "spacing": [{"row": ROW, "density": density}],
         "field": {"rows": 2, "plants": 2, "variation": FIELD_PLANTS},
@@ -85,8 +85,9 @@ def campaigns(options: Options, density: float) -> dict[str, dict[str, Any]]:
 
 
 def comparing_stand(campaign: dict[str, Any]) -> Stand:
-    """Returns the stand that compares the optimised plants of a campaign in several
-    fields. A search has one field, and favours its few plants."""
+    """Returns a stand that compares the optimised plants of a campaign in
+    several fields. A search has only one field, so that its result is adapted
+    to the few plants of this field."""
     several = {**campaign["light"], **SEVERAL_FIELDS}
     return Stand({**campaign, "light": several})
 
@@ -104,8 +105,9 @@ def of_a_top(
     way: str, density: float, options: Options
 ) -> tuple[float, list[Estimate]]:
     """Returns the leaf area index at silking, and for each seed the gain of an
-    erect top over a flat top [%]."""
-    # With gaps the leaf area of a plant would not be that of its field.
+    erect over a flat top [%]."""
+    # Missing plants would make the leaf area per plant differ from that of the
+    # field.
     no_gaps = {"variation": {**FIELD_PLANTS, "missing": 0}}
     both = {
         name: {
@@ -193,8 +195,8 @@ def draw(found: dict[str, list[tuple[float, Estimate]]], path: Path) -> None:
 
 
 def shape(stand: Stand, genome: Numbers) -> list[str]:
-    """Formats leaf area, lengths times widths [m2], and angles of the four highest and
-    of the other leaves [deg]."""
+    """Formats the leaf area, from lengths times widths [m2], and the angles of
+    the four highest and of the other leaves [deg]."""
     each = stand.leaves(genome)
     cells = [f"{(each.length * each.width).sum():.3f}"]
     for trait in ("insertion_angle", "curvature"):
@@ -205,7 +207,8 @@ def shape(stand: Stand, genome: Numbers) -> list[str]:
 
 
 def best_plants(options: Options) -> None:
-    """Optimises with growth and without, and evaluates each plant in both ways."""
+    """Optimises with and without growth, and evaluates each plant under both
+    conditions."""
     both = campaigns(options, 7.5)
     stands = {way: comparing_stand(x) for way, x in both.items()}
     plants = {
@@ -250,7 +253,7 @@ def best_plants(options: Options) -> None:
 
 
 def seasons(options: Options) -> None:
-    """Compares a hybrid of their time with seasons that were measured."""
+    """Compares a hybrid of the period with measured seasons."""
     plants = {
         name: {
             **tables(paths=256 if options.rough else 4096),

@@ -52,7 +52,7 @@ from ideotype.report.organ_split import (
 
 STEPS = (-1.0, -0.5, 0.5, 1.0)
 """The parts of the way from the baseline to the lower (-) or upper bound."""
-#: Two objectives, so that both are known in each randomisation.
+#: Two objectives, so that the randomisations of both are available.
 MEASURED = {
     "objective.maximise": ["carbon_balance", "absorbed_par"],
     "search.optimizer": "nsga2",
@@ -66,7 +66,7 @@ Stands = list[tuple[Variant, Stand]]
 
 @dataclass(frozen=True)
 class Evaluated:
-    """Plants in the same fields."""
+    """Plants evaluated in the same fields."""
 
     carbon: Numbers
     """The carbon balance [plants, randomisations]."""
@@ -90,7 +90,8 @@ def splits(
     variants: Sequence[Variant], values: Sequence[Numbers], unit: str
 ) -> list[Split]:
     """Returns the split of the gain of each plant over the first one. `values`
-    are those of all plants in each variant [plants, randomisations]."""
+    are the objective of all plants in each variant [plants,
+    randomisations]."""
     return [
         split_gain(variants, [each[[0, k]] for each in values], unit)
         for k in range(1, len(values[0]))
@@ -114,7 +115,7 @@ def titles_of(variants: Sequence[Variant], quantity: str) -> list[str]:
 
 
 def cells(found: Split) -> list[str]:
-    """Returns the gain in each variant, and the differences between successive
+    """Returns the gain in each variant and the differences between successive
     variants."""
     unit = "" if found.unit == "%" else f" {found.unit.partition(' ')[0]}"
     return [
@@ -130,9 +131,10 @@ def named(trait: str, unit: str, value: float) -> str:
 
 
 def changes(stand: Stand, only: str = "") -> Iterator[tuple[str, Numbers]]:
-    """Yields plants that differ from the baseline in one free trait, any or
-    `only` this one. A trait of single leaves has opposite changes in
-    successive leaves: equal ones would only turn the plant."""
+    """Yields plants that differ from the baseline in one free trait, only in
+    the trait `only` if it is given. Changes of traits of single leaves
+    alternate in sign between leaves, because equal changes of azimuth would
+    only rotate the plant."""
     free = stand.genes[stand.free]
     for trait, genes in free.groupby("trait", sort=False):
         if only and trait != only:
@@ -150,7 +152,7 @@ def changes(stand: Stand, only: str = "") -> Iterator[tuple[str, Numbers]]:
 
 
 def print_changes(stands: Stands, only: str = "") -> None:
-    """Prints the effect of each trait alone, or of `only` this one."""
+    """Prints the effect of each trait alone, or only that of `only`."""
     variants = [variant for variant, _ in stands]
     names, plants = zip(*changes(stands[0][1], only), strict=True)
     found = []
@@ -224,7 +226,8 @@ def print_best(stands: Stands, plants: Sequence[Numbers]) -> None:
 
 
 def tables_of(options: argparse.Namespace) -> dict[str, Any]:
-    """Returns the quickstart, with as many fields and searches as asked for."""
+    """Returns the tables of the quickstart with the requested numbers of
+    fields and searches."""
     tables = campaign_of("quickstart", replicates=options.seeds)
     tables["stop"]["generations"] = options.generations
     if options.rough:
@@ -233,8 +236,8 @@ def tables_of(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def stands_of(tables: dict[str, Any], fields: int) -> Stands:
-    """Returns the stand of each variant of a campaign, in which plants are
-    evaluated in so many fields."""
+    """Returns the stand of each variant of a campaign, with the given number
+    of fields."""
     settings = {**MEASURED, "final.randomisations": fields}
     resolved = tomllib.loads(Stand(tables, settings=settings).campaign)
     return [

@@ -42,13 +42,13 @@ from shared import CAMPAIGNS, Numbers, best, breed, guard, parser_of
 import ideotype
 
 ROWS, PLANTS, ROW, PLANT, TURN = 4, 4, 0.762, 0.1524, 10
-#: The points of each group, in one or two variants, and the faces that use
+#: The points of each group, in one or two variants, with the faces that use
 #: them.
 Mesh = dict[str, list[tuple[Numbers, list[list[int]]]]]
 
 
 class Plant:
-    """A plant of a stand, as the program and as this script draw it."""
+    """A plant of a stand, drawn by the program and by this script."""
 
     def __init__(self, stand: ideotype.Stand, genome: Numbers) -> None:
         self.traits = tomllib.loads(stand.crop_file(genome))
@@ -66,8 +66,8 @@ class Plant:
             self.mesh[name] = [(own.vertices[used], renumbered)]
 
     def drawn(self, shape: Shape) -> Mesh:
-        """Returns the plant with finer blades of another shape, which keep
-        their areas."""
+        """Returns the plant with finer blades of another shape and unchanged
+        area."""
         folding = math.radians(self.traits["blade"]["folding_angle"])
         controls = self.traits["blade"]["width_controls"]
         mesh = {k: v for k, v in self.mesh.items() if not k.startswith("leaf")}
@@ -89,11 +89,11 @@ class Plant:
 
 
 def field_of(mesh: Mesh, seed: int) -> ideotype.Canopy:
-    """Returns the field of ames.toml, rows from east to west: x is east, y
-    north.
+    """Returns the field of ames.toml with rows from east to west: x is east, y
+    is north.
 
-    The y of a plant is along the row and its x to the south; each plant is
-    turned at random."""
+    In the coordinates of the plant, y is along the row and x points south;
+    each plant is rotated at random."""
     draw, choose = random.Random(seed), random.Random(seed)
     vertices: list[Numbers] = []
     faces: list[list[int]] = []
@@ -118,7 +118,7 @@ def field_of(mesh: Mesh, seed: int) -> ideotype.Canopy:
 
 
 def leaf_light(mesh: Mesh, options: argparse.Namespace) -> list[float]:
-    """Returns the part of a clear day's light that leaves absorb, field by
+    """Returns the fraction of a clear day's light that leaves absorb, field by
     field [%]."""
 
     def share(seed: int) -> float:
@@ -144,7 +144,7 @@ def changes(after: list[float], before: list[float]) -> list[float]:
 
 
 def gains(lights: list[list[float]]) -> list[list[float]]:
-    """Returns the gain of each optimised plant over the first, field by
+    """Returns the gain of each optimised plant over the first plant, field by
     field [%]."""
     return [changes(own, lights[0]) for own in lights[1:]]
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Searches of other packages, which ask for plants through the Python module."""
+"""Searches by other packages, which evaluate plants through the Python
+module."""
 
 from __future__ import annotations
 
@@ -11,8 +12,8 @@ from ideotype import Stand
 
 
 class Function:
-    """A function of free genes from 0 to 1 that a library minimises. Each
-    generation has separate fields and random numbers."""
+    """A function that a library minimises; its arguments are free genes scaled
+    from 0 to 1. Each generation uses other fields and random numbers."""
 
     def __init__(self, stand: Stand) -> None:
         genes = stand.genes
@@ -38,7 +39,7 @@ class Function:
 
 
 def by_bipop(stand: Stand, seed: int, count: int) -> Numbers:
-    """Searches by BIPOP-CMA-ES of the package cma (Hansen 2009,
+    """Searches by BIPOP-CMA-ES in the package cma (Hansen 2009,
     doi:10.1145/1570256.1570333)."""
     import cma
 
@@ -63,7 +64,7 @@ def by_bipop(stand: Stand, seed: int, count: int) -> Numbers:
 
 
 def by_pymoo(stand: Stand, seed: int, count: int) -> Numbers:
-    """Searches by differential evolution of pymoo."""
+    """Searches by differential evolution in the package pymoo."""
     from pymoo.algorithms.soo.nonconvex.de import DE
     from pymoo.core.problem import Problem
     from pymoo.problems.static import StaticProblem

@@ -63,7 +63,7 @@ SEASONS = (
 
 def light_of_day(season: Season, day: date, energy: float) -> Numbers:
     """Returns the light of each hour [W m-2] from the energy of a day [MJ
-    m-2], which follows the sine of the sun's elevation."""
+    m-2], in proportion to the sine of the solar elevation."""
     clock = np.arange(24) + 0.5
     noon = 12 + season.utc_offset - season.longitude / 15
     latitude = np.deg2rad(season.latitude)
@@ -77,7 +77,7 @@ def light_of_day(season: Season, day: date, energy: float) -> Numbers:
 
 
 def warmth_of_day(largest: float, smallest: float) -> Numbers:
-    """Returns the temperature of each hour [deg C], half a wave about the
+    """Returns the temperature of each hour [deg C], a sine wave around the
     mean."""
     wave = np.sin((np.arange(24) + 0.5 - 9) * np.pi / 12)
     mean, half = (largest + smallest) / 2, (largest - smallest) / 2
@@ -85,8 +85,9 @@ def warmth_of_day(largest: float, smallest: float) -> Numbers:
 
 
 def hourly(season: Season, folder: Path) -> tuple[Path, date]:
-    """Writes the weather of a season by the hour, and returns its file and the day of
-    emergence: 45 deg C d and 6 for each cm of depth after sowing (CERES)."""
+    """Writes hourly weather of a season. Returns its file and the day of
+    emergence, which follows sowing by 45 deg C d plus 6 deg C d per cm of
+    depth (CERES)."""
     lines = (DATA / season.weather).read_text().splitlines()
     rows = list(csv.reader(x for x in lines if not x.startswith("#")))[1:]
     path = folder / f"{season.name}.csv"
@@ -116,7 +117,7 @@ def hourly(season: Season, folder: Path) -> tuple[Path, date]:
 def in_season(
     tables: dict[str, Any], season: Season, folder: Path
 ) -> dict[str, Any]:
-    """Returns a campaign of plants that grow, moved to a season that was measured."""
+    """Returns a campaign of growing plants, moved to a measured season."""
     weather, emergence = hourly(season, folder)
     last = date.fromisoformat(weather.read_text().splitlines()[-1][:10])
     return {
@@ -148,7 +149,7 @@ def in_season(
 
 
 def crop_of(campaign: dict[str, Any]) -> dict[str, Any]:
-    """Returns the tables of a campaign's crop."""
+    """Returns the crop tables of a campaign."""
     crop = campaign["plant"]["baseline"]
     if not isinstance(crop, dict):
         crop = tomllib.loads((CAMPAIGNS / crop).read_text())
@@ -156,17 +157,18 @@ def crop_of(campaign: dict[str, Any]) -> dict[str, Any]:
 
 
 def root_share(campaign: dict[str, Any]) -> float:
-    """Returns the dry mass of roots over that of leaves and organs of a campaign's
-    crop."""
+    """Returns the dry mass of roots relative to that of leaves and organs in
+    the crop of a campaign."""
     return float(crop_of(campaign)["growth"].get("root_share", 0))
 
 
 def dry_matter(stand: Stand, seed: int, share: float) -> dict[str, float]:
-    """Returns the dry matter that a growing season leaves, by organ [t ha-1].
-    Structures are built until silking; what is left at silking and at harvest is in
-    reserves and the ear.
+    """Returns the dry matter of a growing season by organ [t ha-1]. Structures
+    are built until silking; the remaining carbon at silking and at harvest is
+    in reserves and the ear.
 
-    share: the dry mass of roots over that of the structures of shoots."""
+    share: dry mass of roots relative to that of the structures of the
+    shoot."""
     found = stand.evaluate(stand.baseline, seed=seed).isel(plant=0)
     mass = {
         str(name): float(x)
@@ -175,7 +177,7 @@ def dry_matter(stand: Stand, seed: int, share: float) -> dict[str, float]:
         )
     }
     harvest = float(found.dry_matter)
-    # Growth is proportional to carbon that is not respired.
+    # Growth is proportional to the carbon that is not respired.
     after_silking = float(
         found.carbon_after_silking
         / (found.gross_assimilation - found.respiration)
@@ -198,8 +200,8 @@ def dry_matter(stand: Stand, seed: int, share: float) -> dict[str, float]:
 def compare_dry_matter(
     plants: Mapping[str, dict[str, Any]], seeds: int, folder: Path
 ) -> None:
-    """Prints the dry matter of plants by organ in seasons that were measured, and
-    the measured shoots."""
+    """Prints the simulated dry matter by organ in measured seasons, and the
+    measured dry matter of shoots."""
     for season in SEASONS:
         columns = []
         for plain in plants.values():
@@ -233,8 +235,8 @@ def compare_dry_matter(
 
 
 def without_parts(campaign: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    """Returns a campaign of plants that grow with single parts of its carbon budget
-    left out or replaced."""
+    """Returns a campaign of growing plants, with single parts of its carbon
+    budget omitted or replaced."""
     crop = crop_of(campaign)
     growth = crop["growth"]
 
@@ -276,8 +278,9 @@ def without_parts(campaign: dict[str, Any]) -> dict[str, dict[str, Any]]:
 
 
 def compare_parts(plain: dict[str, Any], seeds: int, folder: Path) -> None:
-    """Prints the change of all dry matter at harvest if one part of the carbon
-    budget is left out or replaced, in pairs with the same random numbers."""
+    """Prints the change of the total dry matter at harvest if one part of the
+    carbon budget is omitted or replaced, in pairs with common random
+    numbers."""
 
     def harvest(campaign: dict[str, Any], season: Season) -> list[float]:
         stand = Stand(in_season(campaign, season, folder))
@@ -305,8 +308,8 @@ def compare_parts(plain: dict[str, Any], seeds: int, folder: Path) -> None:
 def figures_of_light(
     campaign: dict[str, Any], seeds: int
 ) -> dict[str, list[float]]:
-    """Returns for each seed the carbon of gross assimilation over absorbed PAR
-    [g MJ-1], and the dry matter of shoots at harvest [t ha-1]."""
+    """Returns for each seed the carbon of gross assimilation per absorbed PAR
+    [g MJ-1] and the dry matter of shoots at harvest [t ha-1]."""
     stand = Stand(campaign)
     share = root_share(campaign)
     names = ("gross_efficiency", "harvest")

@@ -40,7 +40,7 @@ from shared import (
 ROW, DENSITY, FIELDS = 0.762, 7.5, 8
 FORMER = "hybrid of the 1980s"
 CROPS = {FORMER: HYBRID_1980S, "hybrid": HYBRID}
-#: The standard deviation of positions along the row [m], by the variations of
+#: The standard deviation of positions along the row [m], for the variations of
 #: fields.py.
 POSITIONS = {
     "exact positions": "0",
@@ -50,8 +50,8 @@ POSITIONS = {
 
 
 def wide(values: list[float]) -> Estimate:
-    """Returns the mean of a few values, with the standard error of many that
-    has the same 95 % interval."""
+    """Returns the mean of a few values. Its standard error is scaled so that
+    the normal 95 % interval equals Student's interval."""
     mean, error = estimate(values)
     return mean, error * float(t.ppf(0.975, len(values) - 1)) / 1.96
 

@@ -60,12 +60,12 @@ from ideotype.common.labels import unit_label
 from ideotype.figures.style import BEST, MEAN, RC, new_figure
 
 Tables = Mapping[str, Any]
-#: The distances of single crops, between rows and plants [m].
+#: Distances between rows and between plants of sole crops [m].
 ALONE = {"maize": (0.6, 0.15), "soybean": (0.3, 0.1)}
 
 
 def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
-    """Returns a quantity of the plant, or of each component if it has
+    """Returns a quantity of the plant, or of each component if there are
     several."""
     found = stand.evaluate(genome, [name], final=True)
     if found.message.values[0]:
@@ -76,8 +76,7 @@ def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
 
 
 def net_alone(crop: str, common: Tables) -> Estimate:
-    """Returns the net assimilation of a crop that stands alone [mol m-2
-    day-1]."""
+    """Returns the net assimilation of a sole crop [mol m-2 day-1]."""
     row, plant = ALONE[crop]
     tables = campaign_of("cultivars", **common, name=crop)
     del tables["component"]
@@ -92,7 +91,8 @@ def net_alone(crop: str, common: Tables) -> Estimate:
 
 def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
     """Draws light, net assimilation and leaf area of each row of a strip, per
-    ground that is nearest to the row. Bars are as wide as this ground."""
+    area of the ground closest to the row. The width of a bar is that of this
+    ground."""
     found = stand.evaluate(genome, final=True).isel(plant=0)
     panels = {
         "absorbed_light_by_row": "PAR that leaves absorb",
@@ -136,7 +136,8 @@ def common_of(options: Options) -> dict[str, Any]:
 
 
 def strips(options: Options) -> None:
-    """Prints the land equivalent ratio of the strip, before and after."""
+    """Prints the land equivalent ratio of the strip before and after
+    optimisation."""
     common = common_of(options)
     if options.figure:
         plain = Stand(campaign_of("strip", **common, name="strip"))
@@ -178,8 +179,8 @@ def strips(options: Options) -> None:
 
 
 def invaders(options: Options) -> None:
-    """Prints the gain of single plants over their neighbours, and of a stand
-    of such plants over the stand that they enter."""
+    """Prints the gain of a single invader over its neighbours, and the gain of
+    a stand of invaders over the original stand."""
     common, folder = common_of(options), options.folder
     of_stand = campaign_of("invader", **common, name="stand")
     del of_stand["component"]

@@ -35,7 +35,7 @@ from ideotype import Stand
 QUICK = CAMPAIGNS / "ames_quick.toml"
 TASSEL = ["peduncle", "tassel_spike", "tassel_branches"]
 
-#: Plants by name: crop file and organs besides leaves.
+#: Plants by name: crop file and organs other than leaves.
 PLANTS = {
     "tapered stalk": ("crops/maize.toml", ["stalk"]),
     "and sheaths": ("crops/maize.toml", ["stalk", "sheath"]),
@@ -60,7 +60,7 @@ def settings(plant: str, traits: str = "all") -> list[str]:
 def bred(
     campaign: Path, plant: str, traits: str, seeds: int, folder: Path
 ) -> list[Numbers]:
-    """Returns the baseline, and the best plant of each seed."""
+    """Returns the baseline and the best plant of each seed."""
     name = re.sub(r"[^a-z0-9]+", "_", f"{campaign.stem} {plant} {traits}")[:60]
     keys = [*settings(plant, traits), f"replicates={seeds}"]
     histories = breed(campaign, name, keys, folder)
@@ -71,14 +71,15 @@ def bred(
 def gains(
     plants: list[Numbers], campaign: Path, keys: list[str]
 ) -> list[Estimate]:
-    """Returns the gain of each plant over the first [%]."""
+    """Returns the gain of each plant over the first plant [%]."""
     stand = Stand.from_campaign(campaign, settings=keys)
     first, *others = light(stand, np.array(plants)).tolist()
     return [gain(first, other) for other in others]
 
 
 def parts(plant: str) -> list[str]:
-    """Prints where the light of the baseline goes [% of incident]."""
+    """Formats the distribution of the light in the stand of the baseline [% of
+    incident]."""
     stand = Stand.from_campaign(QUICK, settings=settings(plant))
     found = stand.evaluate(stand.baseline, final=True).isel(plant=0)
     organs = (found.absorbed_by_organ / found.incident).to_series()

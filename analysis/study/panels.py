@@ -64,8 +64,8 @@ FEET = 0.3048  # [m]
 
 
 def layout(clearance: float, gap: float, tilt: float, between: float) -> Any:
-    """The settings of a layout with modules of 1.64 x 1 m that lie across, in a
-    cell of one module, with maize along its rows."""
+    """Returns the settings of a layout: modules of 1.64 x 1 m in landscape
+    format, in a cell of one module, with maize along the rows of modules."""
     length, width = 1.64, 1.0
     pitch = width * math.cos(math.radians(tilt)) + between
     rows, plants = (2 if pitch < 2 else 3), round((length + gap) / 0.16)
@@ -208,7 +208,7 @@ def cost(options: Options) -> None:
     )
 
 
-# Modules that were measured.
+# Measured modules.
 
 
 def measured(options: Options) -> None:
@@ -256,9 +256,9 @@ def measured(options: Options) -> None:
 def sides(
     options: Options, reading: Mapping[str, Any], panels: Sequence[Any]
 ) -> tuple[float, float, float]:
-    """Returns the height of the sun [deg], and light on the front and the back
-    of modules in the 5 minutes of a reading [W m-2]."""
-    # Light of other times is invented and has no effect on results.
+    """Returns the height of the sun [deg], and the light on the front and the
+    back of modules during the 5 minutes of a reading [W m-2]."""
+    # The light at other times is invented; it has no effect on results.
     end = pd.Timestamp(f"2026-05-10 {reading['time']}", tz="Etc/GMT-2")
     ends = pd.date_range("2026-05-10", periods=288, freq="5min", tz=end.tz)
     suns = solarposition.get_solarposition(ends - HALF, *FOULUM)
@@ -293,7 +293,7 @@ def sides(
                     "diffuse": ["diffuse", "W m-2"],
                 }
             ],
-            # Plants are so far apart that modules stand over soil.
+            # The plant spacing is so large that the modules stand over soil.
             "spacing": [
                 {
                     "row": pitch / 2,

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Crops below rows of modules, for panels.py: the trial under trackers, and plants
-optimised for their place."""
+"""Crops below rows of modules, for panels.py: the trial under trackers, and
+plants optimised for their light."""
 
 from __future__ import annotations
 
@@ -33,7 +33,8 @@ PURDUE_HEIGHT = 6.1
 
 
 def jackknife(figure: Callable[..., float], *draws: Numbers) -> Estimate:
-    """Returns a figure over the means of paired draws, and its error."""
+    """Returns a function of the means of paired draws, with its jackknife
+    error."""
     count = len(draws[0])
     without = [
         figure(*(np.delete(x, i, 0) for x in draws)) for i in range(count)
@@ -45,8 +46,8 @@ def jackknife(figure: Callable[..., float], *draws: Numbers) -> Estimate:
 
 
 def changed(folder: Path, name: str, height: float, angle: float) -> Path:
-    """Returns a crop file of maize with factors for heights and insertion
-    angles."""
+    """Writes a crop file of maize with scaled heights and insertion angles,
+    and returns its path."""
     crop = tomllib.loads(MAIZE.read_text())
     crop["stalk"]["height"] *= height
     for leaf in crop["leaf"]:
@@ -57,7 +58,7 @@ def changed(folder: Path, name: str, height: float, angle: float) -> Path:
     return path
 
 
-#: Heights and insertion angles of plants, relative to those of
+#: Factors for heights and insertion angles of plants, relative to
 #: crops/maize.toml.
 PLANTS = {
     "baseline": (1.0, 1.0),
@@ -65,7 +66,8 @@ PLANTS = {
     "more erect": (1.0, 0.6),
     "shorter and more erect": (0.8, 0.6),
 }
-#: Rows of maize from one row of modules to the next, width and height of modules [m].
+#: Number of maize rows between successive rows of modules, width and height of
+#: modules [m].
 TRACKERS = (
     (9, 1.2, PURDUE_HEIGHT),
     (12, 1.7, PURDUE_HEIGHT),
@@ -146,19 +148,20 @@ def trial(options: Options) -> None:
 
 
 def carbon_and_net(stand: Stand) -> Numbers:
-    """Returns carbon balance and net assimilation of the season [2,
+    """Returns the carbon balance and the net assimilation of the season [2,
     randomisations]."""
     found = stand.evaluate(stand.baseline, [], final=True)
     return np.asarray(found.objective_by_randomisation[0], float)
 
 
 def tell_gain(x: Estimate) -> str:
-    """Formats a figure with its 95 % interval."""
+    """Formats a gain with its 95 % interval."""
     return told(x, sign="+")
 
 
 def less(open_: Numbers, below: Numbers, *of_baseline: Numbers) -> float:
-    """Returns how much less light a plant loses than the baseline [%]."""
+    """Returns the light loss of the baseline minus that of the plant
+    [percentage points]."""
     before, after = of_baseline
     return 100 * float(
         below.mean() / open_.mean() - after.mean() / before.mean()
@@ -166,14 +169,15 @@ def less(open_: Numbers, below: Numbers, *of_baseline: Numbers) -> float:
 
 
 def shaded(stand: Stand, options: Options) -> str:
-    """Returns the light of the season that modules keep from plants [%]."""
+    """Returns the fraction of the season's light that the modules intercept
+    above the plants [%]."""
     few = {"fields": 2, "points": 8} if options.rough else {"fields": 8}
     found = stand.light_at(stand.baseline, 3.0, **few).isel(sensor=0)
     part = found.incident / found.incident.sum()
     return f"{100 - 100 * float((part * found.fraction).sum()):.1f}"
 
 
-# Plants optimised for their place.
+# Plants optimised for their light.
 
 
 def bred(options: Options) -> None:

@@ -24,13 +24,13 @@ from ideotype.figures.style import BASELINE, BEST, MEAN, new_figure
 
 
 def tables_of(file: str, options: Options, **more: Any) -> dict[str, Any]:
-    """Returns a campaign of this project in which some tables are replaced."""
+    """Returns a campaign of this project with some tables replaced."""
     return campaign_of(file, **{**(ROUGH if options.rough else {}), **more})
 
 
 def electricity(found: Any) -> float:
-    """Returns the energy of a day per area of ground [kWh m-2], with pvlib, air of
-    25 deg C and almost no wind."""
+    """Returns the daily electric energy per ground area [kWh m-2] by pvlib,
+    for air of 25 deg C and almost no wind."""
     light = found.object_light_by_hour.sel(object="panel").sum("band")
     front, back = (light.sel(object_side=side) for side in ("front", "back"))
     used = (front + 0.75 * back).values
@@ -42,10 +42,10 @@ def electricity(found: Any) -> float:
 
 
 def front(options: Options, alone: float) -> None:
-    """Optimises crop and light on modules, and prints members of the Pareto front
-    with their land equivalent ratio."""
+    """Optimises crop and light on modules, and prints members of the Pareto
+    front with their land equivalent ratios."""
     tables = tables_of("agrivoltaic", options)
-    # Rows of modules are as far apart as the field is wide.
+    # The distance between rows of modules is the width of the field.
     del tables["panel"][0]["pitch"]
     tables |= {
         "name": "front",
@@ -112,7 +112,7 @@ def front(options: Options, alone: float) -> None:
 
 
 def power_over_soil(tables: Mapping[str, Any], pitch: float) -> float:
-    """Returns the electricity of modules over soil [kWh m-2 day-1]."""
+    """Returns the electricity of modules over bare soil [kWh m-2 day-1]."""
     row = pitch / 4
     stand = Stand(
         {

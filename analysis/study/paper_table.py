@@ -87,7 +87,7 @@ USUAL = ("ga", "auto")
 
 @dataclass(frozen=True)
 class Found:
-    """The results under one condition and objective."""
+    """The results for one condition and objective."""
 
     baseline: Estimate
     has_percent: bool
@@ -118,7 +118,7 @@ def name_of(tables: dict[str, Any], search: str, seed: int) -> str:
 def bred(
     tables: dict[str, Any], search: str, seed: int, count: int, folder: Path
 ) -> Numbers:
-    """Returns the genome of the best plant that this search finds."""
+    """Returns the genome of the best plant of the given search."""
     if search in LIBRARIES:
         name = name_of(tables, search, seed)
         kept = folder / f"{name}.json"
@@ -149,8 +149,9 @@ def searched(
 
 
 def seconds_until(history: Path, stand: Stand, least: float) -> float:
-    """Returns the core-seconds of all evaluations until a search had a plant
-    that gains so much [%] when it is evaluated again; NaN if it has none."""
+    """Returns the core-seconds of all evaluations until the search had found a
+    plant that gains at least `least` [%] when it is re-evaluated; NaN if there
+    is none."""
     points = best_until(history, list(range(50, 10**6, 50)))
     gains = gains_over_baseline(stand, [plant for plant, _ in points])
     for (_, seconds), (mean, _) in zip(points, gains, strict=True):
@@ -263,8 +264,8 @@ def row(where: Condition, found: Found, unit: str) -> list[str]:
 
 
 def parts(splits: Sequence[Split]) -> list[str]:
-    """Returns the means over seeds of the gain in each variant but the first,
-    and of the differences between successive variants."""
+    """Returns means over seeds: the gain in each variant except the first, and
+    the differences between successive variants."""
     unit = splits[0].unit
     is_percent = unit == "%"
     return [
@@ -282,7 +283,7 @@ def parts(splits: Sequence[Split]) -> list[str]:
 
 
 def titles_of_parts(found: Found) -> list[str]:
-    """Returns the titles of the columns of parts() of all searches."""
+    """Returns the titles of the columns of parts() for all searches."""
     return [
         f"{TITLES_OF_SEARCHES[search]} {title}"
         for search, (some, *_) in found.splits.items()

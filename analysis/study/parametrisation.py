@@ -40,7 +40,8 @@ from shared import (
 
 from ideotype import Stand
 
-#: Traits of the whole plant, with the ranges of the profiles of crops/maize.toml.
+#: Traits of the whole plant. Their ranges are those of the profiles of
+#: crops/maize.toml.
 FACTORS: list[dict[str, Any]] = [
     {
         "name": "all_lengths",
@@ -91,15 +92,16 @@ def crop_with_factors(folder: Path) -> Path:
 
 
 def plant_of(stand: Stand, genome: Numbers, folder: Path, name: str) -> Path:
-    """Writes a crop file of a plant whose leaves follow from factors and
-    profiles."""
+    """Writes a crop file of a plant with leaves computed from factors and
+    profiles, and returns its path."""
     path = folder / f"{name}.plant.toml"
     path.write_text(stand.crop_file(genome), encoding="utf-8")
     return path
 
 
 def as_free_leaves(stand: Stand, plant: Path) -> Numbers:
-    """Returns the genome of a plant file in a campaign with this baseline."""
+    """Returns the genome of the plant in a file, for a campaign with this
+    plant as its baseline."""
     values = tomllib.loads(plant.read_text(encoding="utf-8"))["leaf"]
     genome = np.array(stand.baseline)
     genes = stand.genes
@@ -119,7 +121,7 @@ def found(
     tables: dict[str, Any], way: str, seed: int, count: int, folder: Path
 ) -> Numbers:
     """Returns the genome of the best plant of the last stage. Free leaves
-    begin around the best plant of the stage before, within their own
+    start from the best plant of the preceding stage, within their own
     bounds."""
     stages = way.split("-")
     start: list[float] = []

@@ -44,7 +44,7 @@ from ideotype.figures.style import RC, new_figure
 
 MEASURED = Path(__file__).parent / "measured"
 V02 = CAMPAIGNS / "plants" / "maize_v02.toml"
-ROWS = 10  # The number of rows of a field, and of plants in each row.
+ROWS = 10  # The number of rows of a field and of plants per row.
 CELLS = 40
 """The number of faces along a leaf: about 2 cm, near the 2.5 cm of measured
 planes."""
@@ -70,17 +70,17 @@ PLANTS = {
 
 @dataclass(frozen=True)
 class Shape:
-    """The leaves of plants; angles and reach have a number for all leaves and
-    for each third of the leaves."""
+    """The leaves of plants. Angles and reach are stated for all leaves and for
+    each third of the leaves."""
 
     inclination: Numbers  # The angle of surfaces from the horizontal [deg].
-    steep: Numbers  # The share of area that is steeper than STEEP.
-    reach: Numbers  # The reach of midribs from their bases, aside [m].
-    height: Numbers  # The share of area between HEIGHTS.
+    steep: Numbers  # The fraction of the area steeper than STEEP.
+    reach: Numbers  # The horizontal reach of midribs from their bases [m].
+    height: Numbers  # The fraction of the area between HEIGHTS.
 
 
 def read_obj(path: Path) -> Mesh:
-    """Reads a mesh as the program exports it."""
+    """Reads a mesh exported by the program."""
     vertices, faces, groups, group = [], [], [], ""
     for line in path.read_text().splitlines():
         word, *rest = line.split()
@@ -95,15 +95,16 @@ def read_obj(path: Path) -> Mesh:
 
 
 def turned(crop: Path) -> str:
-    """Returns any trait of a whole plant: the first generation has the baseline
-    for each trait."""
+    """Returns an arbitrary trait of the whole plant. The first generation
+    contains the baseline for any trait."""
     traits = tomllib.loads(crop.read_text()).get("trait", [])
     whole = (each["name"] for each in traits if each.get("per") == "plant")
     return next(whole, "azimuth")
 
 
 def drawn(tables: Any, folder: Path) -> Mesh:
-    """Returns the field of a campaign's first generation, the baseline."""
+    """Returns the field of the baseline in the first generation of a
+    campaign."""
     (history,) = breed_tables(tables, folder)
     to = history.with_suffix(".obj")
     to.unlink(missing_ok=True)
@@ -123,9 +124,9 @@ def field_of(
     spacing: tuple[float, float] = (0.76, 0.15),
     seed: int = 0,
 ) -> Mesh:
-    """Returns the field of a plant's first generation, the baseline, as drawn:
-    with these numbers of rows and of plants in a row, at these distances
-    [m]."""
+    """Returns the field of a plant as drawn in the first generation, where it
+    is the baseline, with the given numbers of rows and of plants per row, and
+    the given distances [m]."""
     tables = {
         **ANYWHERE,
         "name": re.sub("[^a-z0-9]+", "_", name),
@@ -147,8 +148,8 @@ def field_of(
 
 
 def means(values: Numbers, leaf: Numbers, weights: Numbers) -> Numbers:
-    """Returns means over all leaves and over each third of them, by their
-    ranks."""
+    """Returns means over all leaves and over each third of the leaves by
+    rank."""
     third = np.floor(3 * (leaf - 0.5) / leaf.max())
     parts = [leaf > 0, *(third == i for i in range(3))]
     return np.array([np.average(values[k], weights=weights[k]) for k in parts])
@@ -160,7 +161,7 @@ def shape_of(field: Mesh) -> Shape:
     faces = faces.join(of.astype(float)).dropna()
     corners = field.vertices[np.array(faces.face.tolist())]
     a, b, c, d = np.moveaxis(corners, 1, 0)
-    # A nearly flat face has half the product of its diagonals as area.
+    # The area of a nearly flat face is half the product of its diagonals.
     normals = np.cross(c - a, d - b) / 2
     area = np.linalg.norm(normals, axis=1)
     inclination = np.degrees(np.arccos(np.abs(normals[:, 2]) / area))
@@ -184,7 +185,7 @@ def shape_of(field: Mesh) -> Shape:
 
 
 def measured() -> tuple[Shape, dict[str, Numbers]]:
-    """Returns the mean over plants, and the value of each plant."""
+    """Returns the mean over plants and the values of each plant."""
     order = ["all", *THIRDS]
     heights, steps, plants = (
         pd.read_csv(MEASURED / f"iowa_{name}.csv", index_col=0)

@@ -58,14 +58,15 @@ def stand(under: Path, objective: str, variation: dict[str, Any]) -> Stand:
 
 
 def plants(of: Stand, count: int) -> Numbers:
-    """Returns the baseline, then plants spread evenly between their bounds."""
+    """Returns the baseline and then plants that fill the range of the bounds
+    evenly."""
     lower, upper = of.bounds
     points = qmc.Sobol(len(lower), seed=1).random(count)
     return np.vstack([of.start, qmc.scale(points, lower, upper)])
 
 
 def lost(values: Numbers, chosen: int) -> Estimate:
-    """Returns the loss by choosing this plant instead of the best plant
+    """Returns the loss due to choosing this plant instead of the best one
     [%]."""
     best = int(values.mean(1).argmax())
     return gain(values[best].tolist(), values[chosen].tolist())

@@ -56,7 +56,7 @@ Matrix = dict[str, list[Estimate]]
 def place(
     latitude: float, folder: Path, climate: dict[str, Any]
 ) -> dict[str, Any]:
-    """Returns a latitude as a [[site]], with its weather."""
+    """Returns a latitude as a [[site]] with its weather."""
     return {
         **site(latitude),
         "name": f"n{latitude:g}".replace(".", "p"),
@@ -65,14 +65,14 @@ def place(
 
 
 def light_of(options: argparse.Namespace) -> dict[str, Any]:
-    """Returns the season, and the plant that grows in it if plants grow."""
+    """Returns the season, and the growing plant if plants grow."""
     return growth() if options.growing else {"climate": [season()]}
 
 
 def campaign(
     name: str, places: list[dict[str, Any]], options: argparse.Namespace
 ) -> dict[str, Any]:
-    """Returns the tables of a search for the mean of these places."""
+    """Returns the tables of a search for the mean over these sites."""
     lit = light_of(options)
     # Each site has a separate weather file.
     lit["climate"][0].pop("file")
@@ -96,7 +96,7 @@ def bred(tables: dict[str, Any], folder: Path) -> list[Numbers]:
 
 
 def relative(stand: Stand, home: int, plants: list[Numbers]) -> list[Estimate]:
-    """Returns the carbon of plants here [% of the plant optimised
+    """Returns the carbon of plants at this site [% of the plant optimised
     here]."""
     values = light(stand, np.array(plants)).tolist()
     changes = (gain(values[home], value) for value in values)
@@ -131,8 +131,8 @@ def matrix(options: argparse.Namespace) -> Matrix:
 
 
 def mean_of_row(row: Sequence[Estimate]) -> Estimate:
-    """Returns the mean of a row. The error is at most the mean of errors,
-    because fields are equal at all latitudes."""
+    """Returns the mean of a row. Its error is at most the mean of the errors,
+    because the fields are the same at all latitudes."""
     return fmean(mean for mean, _ in row), fmean(error for _, error in row)
 
 

@@ -37,7 +37,8 @@ from shared import (
 from ideotype import Stand, open_history
 from ideotype.figures.style import new_figure, series
 
-#: Searches by name: keys of [search], and the candidates of a generation.
+#: Searches by name: keys of [search], and the number of candidates per
+#: generation.
 SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
     "random": (("search.optimizer=random",), 100),
     "sobol": (("search.optimizer=sobol",), 100),
@@ -66,12 +67,12 @@ CHECKPOINTS = (
 
 @dataclass(frozen=True)
 class Point:
-    """The results of a search after some evaluations."""
+    """The results of a search after a number of evaluations."""
 
     evaluations: int
     gains: list[float]  # The gain of each seed [%].
-    errors: list[float]  # The error of each, paired [%].
-    seconds: float  # Processor time, mean of the seeds.
+    errors: list[float]  # The paired standard error of each gain [%].
+    seconds: float  # The processor time, a mean over the seeds.
 
     @property
     def gain(self) -> float:
@@ -100,9 +101,9 @@ def run(name: str, options: argparse.Namespace) -> list[Path]:
 def best_until(
     history: Path, checkpoints: list[int]
 ) -> list[tuple[Numbers, float]]:
-    """Returns for each checkpoint the plant, and the seconds of all
-    evaluations until then. A search that learns gives the best plant of its
-    last generation, other searches the best plant of all."""
+    """Returns for each checkpoint the best plant and the processor time of all
+    evaluations until then [s]. For searches that learn, the best plant is that
+    of the last generation; for others, that of all generations."""
     found: list[tuple[Numbers, float]] = []
     highest, plant = -math.inf, np.empty(0)
     done, seconds = 0, 0.0
@@ -127,7 +128,7 @@ def best_until(
 def evaluate_again(
     histories: list[Path], stand: Stand, checkpoints: list[int]
 ) -> list[Point]:
-    """Evaluates the best plants of one search, all with the same random
+    """Re-evaluates the best plants of one search with common random
     numbers."""
     chosen = [best_until(path, checkpoints) for path in histories]
     count = min(map(len, chosen))

@@ -33,8 +33,8 @@ HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
 HYBRID_1980S = CAMPAIGNS / "plants" / "maize_hybrid_1980s.toml"
 PLANT_AREA = 0.3991
 """The leaf area of the plant in this file [m2]."""
-#: The [field.variation] of inbred lines, and of plants of fields as they were
-#: measured; docs/campaign_files.md has the sources.
+#: The [field.variation] of inbred lines, and that measured in fields;
+#: docs/campaign_files.md states the sources.
 MEASURED_LINES = {
     "length": 0.11,
     "width": 0.12,
@@ -56,8 +56,9 @@ FIELD_PLANTS = {
     "late": 0.04,
     "position": 0.035,
 }
-#: The [field] and [light] of searches where plants differ: several small
-#: fields, so that errors of rows contain differences between fields.
+#: The [field] and [light] of searches with within-line variation. Several
+#: small fields are used, so that the standard errors of rows include
+#: differences between fields.
 SMALL_FIELD = {"rows": 2, "plants": 2, "variation": FIELD_PLANTS}
 SEVERAL_FIELDS = {"fields": 4}
 Numbers = NDArray[np.float64]
@@ -71,9 +72,9 @@ TITLES = {
 }
 """The titles of objectives, with the light under which each is evaluated."""
 
-#: The relative errors of light that campaigns of this project asked for in
-#: version 0.3.0, and the default of others. The tables of docs/results were made
-#: with them; the campaigns of today ask for 0.005.
+#: The tolerances of light in the campaigns of this project in version 0.3.0,
+#: and the default of other campaigns. The tables of docs/results were computed
+#: with them; current campaigns use 0.005.
 FORMER_TOLERANCES = {
     "ames_quick": 0.01,
     "quickstart": 0.01,
@@ -82,14 +83,15 @@ FORMER_TOLERANCES = {
 }
 FORMER_TOLERANCE = 0.008
 
-#: The light of tests: evaluations of milliseconds, with errors of per cents.
+#: The light of tests: evaluations take milliseconds, with errors of several
+#: per cent.
 ROUGH: Mapping[str, Any] = {
     "light": {"paths": 64, "randomisations": 4},
     "final": {"candidates": 1, "paths": 256, "randomisations": 4},
 }
 
-#: The campaign of traits that a breeder can select in hybrids, in rows of 30
-#: inches with 6 inches between plants; it lacks light and an objective.
+#: A campaign of the traits that a breeder can select in hybrids, with rows of
+#: 30 inches and 6 inches between plants; light and an objective are missing.
 BREEDABLE: Mapping[str, Any] = {
     "spacing": [{"name": "30x6", "row": 0.762, "plant": 0.1524}],
     "field": SMALL_FIELD,
@@ -115,7 +117,7 @@ ANYWHERE: Mapping[str, Any] = {
 
 
 def guard(main: Callable[[], None]) -> None:
-    """Ends a script with the message of an error."""
+    """Runs a script and ends it with a message in case of an error."""
     try:
         main()
     except subprocess.CalledProcessError as error:
@@ -125,7 +127,7 @@ def guard(main: Callable[[], None]) -> None:
 
 
 def folder_at(path: str) -> Path:
-    """Returns a folder, which is made if it does not exist."""
+    """Returns a folder, and creates it if necessary."""
     folder = Path(path).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     return folder
@@ -134,8 +136,8 @@ def folder_at(path: str) -> Path:
 def parser_of(
     description: str | None, epilog: str | None = None
 ) -> argparse.ArgumentParser:
-    """Returns a parser that describes a script by the first line of its
-    docstring."""
+    """Returns a parser with the first line of a script's docstring as its
+    description."""
     first = (description or "").partition("\n")[0]
     return argparse.ArgumentParser(description=first, epilog=epilog)
 
@@ -148,8 +150,8 @@ def parser_of_searches(
     **counts: int,
 ) -> argparse.ArgumentParser:
     """Returns the parser of a script that runs searches in a folder. `counts`
-    are the names of integer options, with their defaults. With `has_growth`
-    plants may grow instead of standing as they do at silking."""
+    are the names of integer options with their defaults. If `has_growth`, an
+    option makes plants grow; otherwise they stand as at silking."""
     parser = parser_of(
         description,
         "Finished searches in the folder are not repeated, and interrupted "
@@ -179,7 +181,7 @@ def run_parts(
     parser: argparse.ArgumentParser,
     parts: Mapping[str, Callable[[argparse.Namespace], None]],
 ) -> None:
-    """Runs all parts of a script, or the one that --only names."""
+    """Runs all parts of a script, or only the part that --only names."""
     parser.add_argument("--only", choices=parts)
     options = parser.parse_args()
     for name in [options.only] if options.only else parts:
@@ -190,13 +192,13 @@ def run_parts(
 
 
 def say(text: str) -> None:
-    """Prints the progress of a script, apart from its tables."""
+    """Prints a message about progress, separately from the tables."""
     print(text, file=sys.stderr, flush=True)
 
 
 def with_former_defaults(tables: Mapping[str, Any]) -> dict[str, Any]:
     """Returns a campaign with the tolerance of light and the optimizer that
-    were the defaults of version 0.3.0, unless it has others."""
+    were the defaults of version 0.3.0, unless it sets them."""
     light = dict(tables.get("light", {}))
     if not light.keys() & {"tolerance", "paths"}:
         light["tolerance"] = FORMER_TOLERANCE
@@ -214,8 +216,8 @@ def former_tolerance(campaign: Path) -> float | None:
 
 def campaign_of(campaign: str | Path, **tables: Any) -> dict[str, Any]:
     """Returns the tables of a campaign file, or of a campaign of this project
-    by its name with the accuracy of version 0.3.0. Some of them are replaced;
-    the files that it names are found from any folder."""
+    by name, with the accuracy of version 0.3.0. `tables` replace some of them.
+    Paths in the result are valid in any folder."""
     path = (
         campaign
         if isinstance(campaign, Path)
@@ -234,8 +236,8 @@ def campaign_of(campaign: str | Path, **tables: Any) -> dict[str, Any]:
 def run_program(
     words: Sequence[str], stderr: int | None = None
 ) -> subprocess.CompletedProcess[str]:
-    """Runs a program and keeps its output. SIGTERM goes to the program,
-    which then ends as it always does, before this script does."""
+    """Runs a program and returns its output. SIGTERM is passed to the program,
+    which ends in order before this script does."""
     with subprocess.Popen(
         words, stdout=subprocess.PIPE, stderr=stderr, text=True
     ) as program:
@@ -254,11 +256,13 @@ def breed(
     out: Path,
     verb: str = "run",
 ) -> list[Path]:
-    """Returns the histories of all cases and seeds, in a folder of this name.
-    Finished ones are kept, interrupted ones resume. `verb` may be
-    "sensitivity". Campaigns of this project have the accuracy of version 0.3.0.
+    """Runs a campaign and returns the histories of all cases and seeds, in a
+    folder with the name of the campaign. Finished histories are kept,
+    interrupted ones are resumed. `verb` may be "sensitivity". Campaigns of
+    this project have the accuracy of version 0.3.0.
 
-    IDEOTYPE_EXECUTABLE names the program, else it is `ideotype` on PATH."""
+    IDEOTYPE_EXECUTABLE names the program; the default is `ideotype` on
+    PATH."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
     words = [program, verb, str(campaign), "--resume"]
     words += ["--out", str(out)]
@@ -273,8 +277,8 @@ def breed(
 def breed_tables(
     tables: Mapping[str, Any], folder: Path, verb: str = "run"
 ) -> list[Path]:
-    """Returns the histories of a campaign that is written to a file of this
-    folder."""
+    """Writes a campaign to a file of this folder, runs it and returns its
+    histories."""
     path = folder / f"{tables['name']}.toml"
     text = tomli_w.dumps(with_former_defaults(tables))
     path.write_text(text, encoding="utf-8")
@@ -295,8 +299,8 @@ def best(history: Path) -> Numbers:
 
 
 def breedable_but(plant: Path, **ranges: Sequence[float]) -> dict[str, Any]:
-    """Returns the [plant] and [[traits]] of a campaign in which all traits
-    are free that a breeder can select, some of them in other ranges."""
+    """Returns [plant] and [[traits]] of a campaign in which all traits that a
+    breeder can select are free; `ranges` replace some of their ranges."""
     rules = tomllib.loads(plant.read_text(encoding="utf-8"))["bounds"]
     bounds = {
         rule["trait"]: rule["range"]
@@ -310,7 +314,7 @@ def breedable_but(plant: Path, **ranges: Sequence[float]) -> dict[str, Any]:
 
 
 def front_of(history: Path) -> Numbers:
-    """Returns the genomes of the front of a history [plants, genes]."""
+    """Returns the genomes of the Pareto front of a history [plants, genes]."""
     with ideotype.open_history(history) as opened:
         front = opened.front()
     if front is None:
@@ -324,8 +328,8 @@ def best_plants(tables: Mapping[str, Any], folder: Path) -> list[Numbers]:
 
 
 def stand_of(plant: Path, campaign: Path, settings: Settings = ()) -> Stand:
-    """Returns the first case of a campaign with this plant as its baseline: the
-    plant of a crop file, or the best of a history."""
+    """Returns the first case of a campaign with the given plant as its
+    baseline: the plant of a crop file, or the best plant of a history."""
     with TemporaryDirectory() as folder:
         if plant.suffix == ".h5":
             bred = Stand.from_history(plant, same_isa=False)
@@ -339,8 +343,8 @@ def stand_of(plant: Path, campaign: Path, settings: Settings = ()) -> Stand:
 
 
 def light(stand: Stand, genomes: Numbers) -> Numbers:
-    """Returns the objective [plants, randomisations] of plants evaluated as
-    finalists: all in equal fields and with equal random numbers."""
+    """Returns the objective of plants evaluated like finalists, all in the
+    same fields and with common random numbers [plants, randomisations]."""
     found = stand.evaluate(genomes, [], final=True)
     for message in found.message.values:
         if message:
@@ -357,7 +361,7 @@ def light_of_baselines(stands: Iterable[Stand]) -> Numbers:
 
 
 def leaves(stand: Stand, genome: Numbers) -> pd.DataFrame:
-    """Returns a row for each leaf, the lowest first; its traits are
+    """Returns one row for each leaf, lowest first, with its traits as
     columns."""
     genes = stand.genes.assign(value=genome).query("leaf > 0")
     return genes.pivot(index="leaf", columns="trait", values="value")
@@ -366,14 +370,14 @@ def leaves(stand: Stand, genome: Numbers) -> pd.DataFrame:
 def with_trait(
     stand: Stand, genome: Numbers, trait: str, values: Sequence[float]
 ) -> Numbers:
-    """Returns a plant whose leaves have these values of a trait."""
+    """Returns a plant with the given values of a trait at its leaves."""
     changed = genome.copy()
     changed[(stand.genes.trait == trait).to_numpy()] = values
     return changed
 
 
 def gain_in(stand: Stand, before: Numbers, after: Numbers) -> Estimate:
-    """Returns the gain of a plant over another one in the same fields [%]."""
+    """Returns the gain of one plant over another in the same fields [%]."""
     return gain(*light(stand, np.array([before, after])).tolist())
 
 

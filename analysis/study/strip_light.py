@@ -34,8 +34,9 @@ from shared import CAMPAIGNS, FORMER_TOLERANCE, MAIZE, guard, parser_of
 from ideotype import Stand
 
 SOYBEAN = CAMPAIGNS / "crops" / "soybean.toml"
-#: Trifoliate nodes of soybean at stages, the height of its stem [m], and days
-#: on which it has them between maize that is sown two months earlier.
+#: Properties of soybean at stages: trifoliate nodes, stem height [m], and days
+#: on which it reaches the stage between maize that was sown two months
+#: earlier.
 STAGES = {
     "V2": (2, 0.134, date(2017, 6, 25)),
     "V5": (5, 0.308, date(2017, 7, 5)),
@@ -50,7 +51,7 @@ SITE = {
 
 
 def soybean_at(stage: str, folder: Path) -> Path:
-    """Writes a crop file of soybean at a stage."""
+    """Writes a crop file of soybean at a stage, and returns its path."""
     nodes, height, _ = STAGES[stage]
     crop = tomllib.loads(SOYBEAN.read_text())
     crop["leaf"] = crop["leaf"][:nodes]
@@ -70,7 +71,7 @@ def soybean_at(stage: str, folder: Path) -> Path:
 
 
 class Strips:
-    """A stand of maize with soybean in some rows."""
+    """Stands of maize with soybean in some rows."""
 
     def __init__(self, folder: Path, rough: bool) -> None:
         self._folder = folder
@@ -91,9 +92,9 @@ class Strips:
         stage: str = "R1",
         direction: float = 0,
     ) -> Stand:
-        """Returns rows at these distances [m], with plants `plant` apart [m],
-        and soybean 0.10 m apart in some of them."""
-        length = 0.6  # About the length of the cell along the rows [m].
+        """Returns rows at the given distances [m]. Plants of maize are `plant`
+        apart [m]; some rows are soybean, with plants 0.10 m apart."""
+        length = 0.6  # Approximate length of the cell along the rows [m].
         tables: dict[str, Any] = {
             "name": "strip",
             "seed": 1,
@@ -131,7 +132,7 @@ class Strips:
         return Stand(tables)
 
     def at(self, stand: Stand, height: float, position: float) -> Estimate:
-        """Returns the part of the day's light that arrives at a height, at a
+        """Returns the fraction of the day's light at a height and at a
         distance from a row [m]."""
         found = stand.light_at(
             stand.baseline, height, position, points=self._points
@@ -143,7 +144,7 @@ class Strips:
         return float((part * found.fraction).sum()), error
 
     def by_row(self, stand: Stand) -> list[Estimate]:
-        """Returns the light that leaves of each row absorb, per length of
+        """Returns the light absorbed by the leaves of each row, per length of
         row."""
         found = stand.evaluate(stand.baseline, final=True).isel(plant=0)
         width = found.row_width
@@ -155,7 +156,7 @@ class Strips:
 
 
 def total(rows: Sequence[Estimate]) -> Estimate:
-    """Returns the sum over rows, whose errors count as independent."""
+    """Returns the sum over rows, with errors treated as independent."""
     return sum(x for x, _ in rows), math.hypot(*(e for _, e in rows))
 
 
@@ -167,13 +168,12 @@ def more(a: Estimate, b: Estimate) -> str:
 
 
 def above_soybean(strips: Strips) -> list[list[str]]:
-    """Compares light above soybean between maize that has grown, in strips of
-    two rows over that in alternate rows; as many plants of maize stand in
-    both."""
+    """Compares the light above soybean between full-grown maize in strips of
+    two rows and in alternate rows, at equal maize densities."""
     rows = []
     for stage, reported in (("V2", "+218"), ("V5", "+160"), ("R1", "+172")):
         height = STAGES[stage][1]
-        # Soybean stands 1.0 m from the further row of maize on either side.
+        # Soybean is 1.0 m from the more distant row of maize on each side.
         two = strips.stand((0.4, 1.6), 0.2, stage=stage)
         one = strips.stand((1.0, 1.0), 0.2, stage=stage)
         found = more(strips.at(two, height, 1.0), strips.at(one, height, 0.5))
@@ -189,13 +189,13 @@ def above_soybean(strips: Strips) -> list[list[str]]:
 
 
 def of_maize(strips: Strips) -> list[str]:
-    """Compares light of maize in strips before soybean has grown with that of
-    maize alone with as many plants."""
+    """Compares the light of maize in strips, before soybean has grown, with
+    that of sole maize at equal densities."""
     strip = strips.stand((0.4, 1.6), 0.2, stage="V2")
     alone = strips.stand((0.7, 0.7), 0.2 / 0.7, stage="V2")
     in_strip = total(strips.by_row(strip))
     sole = total(strips.by_row(alone))
-    land = 2.0 / 1.4  # The ratio of the areas of both cells.
+    land = 2.0 / 1.4  # The ratio of the areas of the two cells.
     scaled = (sole[0] * land, sole[1] * land)
     return [
         "all maize leaves, 2M2S over sole (PMC6391028: those at wide rows)",
@@ -206,8 +206,8 @@ def of_maize(strips: Strips) -> list[str]:
 
 
 def of_strips(strips: Strips) -> list[str]:
-    """Compares light of soybean in strips with that in alternate rows, with as
-    many plants of each on the land."""
+    """Compares the light of soybean in strips with that in alternate rows, at
+    equal densities of both crops."""
     strip = strips.stand((0.4, 0.6, 0.4, 0.6), 0.2, soybean=(3, 4))
     alternate = strips.stand((0.5, 0.5), 0.2, soybean=(2,))
     a = total(strips.by_row(strip)[2:])
@@ -221,8 +221,8 @@ def of_strips(strips: Strips) -> list[str]:
 
 
 def southernmost(strips: Strips) -> list[str]:
-    """Compares light that the southernmost of three rows of soybean loses to
-    maize at its south with that of the same rows without maize."""
+    """Compares the light of the southernmost of three soybean rows, which
+    maize to its south shades, with that of the same rows without maize."""
     between = strips.stand(
         (0.4, 0.6, 0.3, 0.3, 0.6), 0.2, soybean=(3, 4, 5), direction=90
     )
@@ -235,7 +235,7 @@ def southernmost(strips: Strips) -> list[str]:
         )
         alone = strips.by_row(bare)
     shaded = strips.by_row(between)[2:]
-    # The row that has less shows which end of the pattern is south.
+    # Of the two outer rows, the southern one has less light.
     worst = int(np.argmin([shaded[0][0], shaded[2][0]])) * 2
     return [
         "southernmost row of soybean at R1, rows east to west, to maize "
@@ -247,8 +247,7 @@ def southernmost(strips: Strips) -> list[str]:
 
 
 def compare(path: Path) -> None:
-    """Prints light measured by row, that of the program, and their
-    agreement."""
+    """Prints measured and computed light by row, and their agreement."""
     measured_light = pd.read_csv(path, comment="#")
     rows, pairs = [], []
     for campaign, part in measured_light.groupby("campaign", sort=False):

@@ -93,8 +93,8 @@ def leaf(options: Options) -> None:
 def by_light(
     field: Field, more: list[str]
 ) -> tuple[Numbers, Numbers, Numbers]:
-    """Returns PPFD of the half hours of a day, gross assimilation and its
-    standard error."""
+    """Returns PPFD, gross assimilation and its standard error for each half
+    hour of a day."""
     stand = Stand(field.tables(), folder=field.campaign.parent, settings=more)
     found = stand.evaluate(
         stand.baseline, ["assimilation_by_hour"], final=True, threads=1
@@ -217,7 +217,7 @@ def stages(options: Options) -> None:
     seeds = 2 if options.rough else 6
 
     def carbon(ages: list[float], count: int) -> list[float]:
-        """Returns the season's gross assimilation, for each seed."""
+        """Returns the season's gross assimilation for each seed."""
         paths = 64 if options.rough else 2048
         campaign = tables(paths=paths, stages=count, dates=count)
         hybrid = crop("crops/maize_hybrid.toml")
@@ -242,8 +242,8 @@ def stages(options: Options) -> None:
 
 
 def nitrogen_response(nitrogen: Numbers) -> Numbers:
-    """Returns the capacity of leaves over that with 1.8 g m-2 of nitrogen (Vos
-    and others 2005), as the program does."""
+    """Returns the photosynthetic capacity of leaves relative to that with 1.8
+    g m-2 of nitrogen (Vos and others 2005), as in the program."""
 
     def capacity(n: Numbers | float) -> Any:
         return 2 / (1 + np.exp(-2.9 * (n - 0.25))) - 1
@@ -252,9 +252,10 @@ def nitrogen_response(nitrogen: Numbers) -> Numbers:
 
 
 def by_mean_light(stand: Stand) -> dict[str, Any]:
-    """Returns the photosynthesis of leaves that share a canopy nitrogen of 4.5 g m-2 by
-    the square root of the light that each absorbs per area: nitrogen falls with depth
-    half as fast as light (Hikosaka and others 2016)."""
+    """Returns the photosynthesis of leaves that share a canopy nitrogen of 4.5
+    g m-2 in proportion to the square root of the light absorbed per leaf area:
+    nitrogen decreases with depth half as fast as light (Hikosaka and others
+    2016)."""
     found = stand.evaluate(
         stand.baseline, ["absorbed_by_leaf", "lai"], final=True
     )
@@ -329,7 +330,8 @@ def panels(options: Options) -> None:
 
 
 def less(found: Mapping[str, list[float]]) -> Numbers:
-    """Returns the loss below modules [%], without each randomisation in turn."""
+    """Returns the loss below modules [%], omitting each randomisation in
+    turn."""
     open_, below = (np.array(found[x]) for x in ("open", "below"))
     return 100 * ((below.sum() - below) / (open_.sum() - open_) - 1)
 

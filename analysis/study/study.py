@@ -45,7 +45,7 @@ PAGES = CAMPAIGNS.parent / "docs" / "results"
 
 
 def table_of(name: str, folder: Path, figures: Path, is_short: bool) -> str:
-    """Returns the output of a part's script."""
+    """Returns the output of the script of a part."""
     part = PARTS[name]
     words = [*part.words, *(part.short if is_short else ())]
     places = {"folder": folder / name, "study": folder, "figures": figures}
@@ -98,7 +98,7 @@ HALF_INTERVAL = re.compile(r"± (\d+)(\.\d+)?")
 
 
 def half_intervals(table: str) -> list[tuple[int, int]]:
-    """Returns the numbers after ±, each as its digits and the number of its
+    """Returns the numbers after ±, each as its digits and its number of
     decimals."""
     return [
         (int(whole + part[1:]), len(part))
@@ -107,8 +107,8 @@ def half_intervals(table: str) -> list[tuple[int, int]]:
 
 
 def agree(old: str, new: str) -> bool:
-    """Returns whether tables are the same but for the last digits of numbers
-    after ±, which may differ by one."""
+    """Returns whether two tables are equal, except that the last digits of
+    numbers after ± may differ by one."""
     plain = (HALF_INTERVAL.sub("±", table) for table in (old, new))
     pairs = zip(half_intervals(old), half_intervals(new), strict=False)
     return len(set(plain)) == 1 and all(
@@ -126,7 +126,7 @@ def write(page: Path, place: str, table: str) -> None:
 
 
 def evaluations(folder: Path) -> int:
-    """Counts the evaluations of all histories of a folder."""
+    """Counts the evaluations in all histories of a folder."""
     count = 0
     for path in folder.rglob("*.h5"):
         with ideotype.open_history(path) as history:
@@ -135,13 +135,13 @@ def evaluations(folder: Path) -> int:
 
 
 def output_of(*words: str) -> str:
-    """Returns the output of a command, if the command can be run."""
+    """Returns the output of a command, or a text that it prints nothing."""
     done = subprocess.run(words, check=False, capture_output=True, text=True)
     return done.stdout.strip() or f"{words[0]} prints nothing"
 
 
 def versions() -> str:
-    """Describes the versions of this script's project and of the program."""
+    """Describes the versions of the project and of the program."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
     return "{}; {}".format(
         output_of(
@@ -153,8 +153,8 @@ def versions() -> str:
 
 
 def digests() -> list[str]:
-    """Lists the digests of the plants, weather files and campaigns that the
-    parts may read."""
+    """Lists the digests of all plants, weather files and campaigns that parts
+    may read."""
     return [
         f"{hashlib.sha256(path.read_bytes()).hexdigest()[:12]} "
         f"{path.relative_to(CAMPAIGNS)}"
@@ -169,7 +169,8 @@ def digests() -> list[str]:
 
 
 def timed(folder: Path, seconds: float) -> float:
-    """Returns the time that a part took in all sessions."""
+    """Adds the time of this session, and returns the time that a part took in
+    all sessions."""
     path = folder / "seconds"
     before = float(path.read_text()) if path.exists() else 0.0
     path.write_text(f"{before + seconds:.1f}\n")

@@ -55,7 +55,7 @@ PARTS: dict[str, dict[str, Any]] = {
 def week(
     paths: int, density: float = 8.6, co2: float = 390, **water: Any
 ) -> Stand:
-    """Returns the hot week of bondville.toml, with [water]."""
+    """Returns a campaign of the hot week of bondville.toml, with [water]."""
     return Stand(
         campaign_of(
             "bondville",
@@ -70,7 +70,8 @@ def week(
 
 
 def grown(year: int, has_water: bool, seed: int = 1, **light: Any) -> Stand:
-    """Returns a growing season of growing_season.toml, with keys of [light]."""
+    """Returns the stand of growing_season.toml in a year, with keys of
+    [light]."""
     water = {"water": {}} if has_water else {}
     return Stand(growing_season(year, light=light, seed=seed, **water))
 
@@ -151,9 +152,9 @@ def print_seasons(paths: int) -> None:
 
 
 def print_cost(paths: int, pairs: int) -> None:
-    """Prints the ratio of processor times with water and without, and the same times
-    the ratio of squared relative errors of carbon, the cost of an equal error. Pairs
-    have different seeds."""
+    """Prints the ratio of processor times with and without water; and this
+    ratio times that of the squared relative errors of carbon, which is the
+    ratio at equal errors. Each pair has another seed."""
     rows = []
     for name, keys in (
         ("the tolerance of a campaign", {}),
@@ -188,8 +189,8 @@ def print_cost(paths: int, pairs: int) -> None:
 
 
 def print_error(paths: int, seeds: int) -> None:
-    """Prints how far transpiration and carbon of a season change, and scatter, if one
-    origin of their error is made smaller."""
+    """Prints the change and the scatter of a season's transpiration and carbon
+    if one source of error is reduced."""
     origins: dict[str, tuple[int, dict[str, Any]]] = {
         "as it is": (paths, {}),
         "ten times the paths of near infrared": (paths, {"band": "nir"}),

@@ -49,7 +49,7 @@ baseline's."""
 
 
 def whole_season(year: int) -> dict[str, Any]:
-    """Returns the tables of growing_season.toml in one year."""
+    """Returns the tables of growing_season.toml for one year."""
     return growing_season(
         year,
         light=PRECISE_LIGHT,
@@ -58,7 +58,8 @@ def whole_season(year: int) -> dict[str, Any]:
 
 
 def hot_week(campaign: str) -> dict[str, Any]:
-    """Returns the tables of a campaign in the hot week of bondville.toml."""
+    """Returns the tables of a campaign, moved to the hot week of
+    bondville.toml."""
     found = campaign_of(
         campaign,
         site=bondville()["site"],
@@ -92,7 +93,7 @@ def tables_of(kind: str, options: Any) -> dict[str, Any]:
 
 
 def limit_of(kind: str, stand: Stand) -> float:
-    """Returns the limit of water of a kind [mm]."""
+    """Returns the water limit for a kind of campaign [mm]."""
     if "emergence" in KINDS[kind]()["climate"][0]:
         return SEASON_LIMIT
     found = stand.evaluate(stand.baseline, ["water_use"], final=True)
@@ -115,8 +116,8 @@ def row_of(name: str, limit: float, case: Case) -> list[str]:
 def print_other_year(
     stands: dict[str, Stand], plants: dict[str, list[Path]]
 ) -> None:
-    """Prints the carbon of plants optimised in a year relative to plants
-    optimised in the other year."""
+    """Prints the carbon of plants optimised in one year relative to that of
+    plants optimised in the other year."""
     for year, other in (("2011", "2012"), ("2012", "2011")):
         gains = [
             gain_in(stands[year], best(b), best(a))

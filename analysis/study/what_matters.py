@@ -63,13 +63,14 @@ from ideotype.figures.style import new_figure, series
 from ideotype.history.indices import Indices, indices_of
 
 DAY, SEASON = CAMPAIGNS / "ames.toml", CAMPAIGNS / "bondville.toml"
-#: The objectives of breeding, and the campaign of the light of each.
+#: The objectives of breeding, and the campaign that provides the light of
+#: each.
 OBJECTIVES = {
     "absorbed_par": DAY,
     "net_assimilation": DAY,
     "carbon_balance": SEASON,
 }
-#: The groups of traits that are taken over from a bred plant together.
+#: The groups of traits that are transferred together from an optimised plant.
 GROUPS = {
     "sizes": ("length_profile", "width_profile"),
     "height": ("height",),
@@ -78,8 +79,8 @@ GROUPS = {
     "azimuths": ("azimuth_deviation", "leaf_plane"),
 }
 ANGLE, AZIMUTH = "insertion_angle", "azimuth_deviation"
-#: Mistakes: a trait, by how much all of it is off [deg], and whether each leaf
-#: is off either way at random.
+#: Mistakes: the trait, the error of all its values [deg], and whether the
+#: error of each leaf is random in sign.
 MISTAKES = {
     "all insertion angles 10 deg larger": (ANGLE, 10.0, False),
     "all insertion angles 10 deg smaller": (ANGLE, -10.0, False),
@@ -91,7 +92,7 @@ MISTAKES = {
 
 @dataclass(frozen=True)
 class Result:
-    """The results of one objective; shares of the gain in percentage points,
+    """The results for one objective: shares of the gain in percentage points,
     costs in %."""
 
     indices: Indices
@@ -125,8 +126,8 @@ def is_of(stand: Stand, traits: Sequence[str]) -> np.ndarray:
 def combined(
     stand: Stand, bred: Numbers
 ) -> Iterator[tuple[frozenset[str], Numbers]]:
-    """Yields the baseline with all combinations of groups of traits of an
-    optimised plant; the first has none."""
+    """Yields the baseline with all combinations of trait groups of an
+    optimised plant; the first combination is empty."""
     for count in range(len(GROUPS) + 1):
         for names in combinations(GROUPS, count):
             traits = [trait for name in names for trait in GROUPS[name]]
@@ -137,8 +138,8 @@ def combined(
 
 
 def shapley(values: dict[frozenset[str], Numbers], name: str) -> Numbers:
-    """Returns the gain by one group, as a mean over all orders, for each
-    randomisation."""
+    """Returns the gain by one group for each randomisation, averaged over all
+    orders of groups."""
     count = len(GROUPS)
     total = np.zeros_like(values[frozenset()])
     for names, value in values.items():
@@ -150,8 +151,8 @@ def shapley(values: dict[frozenset[str], Numbers], name: str) -> Numbers:
 
 
 def shares(stand: Stand, bred: Numbers) -> dict[str, Estimate]:
-    """Returns shares of the gain [percentage points]; "" stands for the whole
-    gain."""
+    """Returns the shares of the gain [percentage points]; the key "" stands
+    for the total gain."""
     names, plants = zip(*combined(stand, bred), strict=True)
     if not np.array_equal(plants[-1], bred):
         raise SystemExit("a free trait belongs to no group")
@@ -168,7 +169,7 @@ def shares(stand: Stand, bred: Numbers) -> dict[str, Estimate]:
 def mistaken(
     stand: Stand, plant: Numbers, mistake: str, draws: int
 ) -> Iterator[Numbers]:
-    """Yields plants with a mistake in this trait."""
+    """Yields plants with the given mistake."""
     trait, degrees, is_random = MISTAKES[mistake]
     genes = is_of(stand, [trait])
     numbers = np.random.default_rng(1)
@@ -178,7 +179,7 @@ def mistaken(
 
 
 def cost(stand: Stand, plant: Numbers, mistake: str, draws: int) -> Estimate:
-    """Returns the cost of a mistake [%] of the objective."""
+    """Returns the cost of a mistake [% of the objective]."""
     plants = [plant, *mistaken(stand, plant, mistake, draws)]
     right, *wrong = light(stand, np.array(plants))
     mean, error = gain(right.tolist(), np.mean(wrong, 0).tolist())
@@ -189,7 +190,7 @@ def cost(stand: Stand, plant: Numbers, mistake: str, draws: int) -> Estimate:
 
 
 def indices(tables: dict[str, Any], samples: int, folder: Path) -> Indices:
-    """Returns the indices of the objective."""
+    """Returns the sensitivity indices of the objective."""
     study = {
         **tables,
         "name": f"{tables['name']}_indices",
@@ -237,7 +238,7 @@ def of_trait(name: str) -> str:
 
 
 def sobol(indices: Indices, which: str) -> dict[str, Estimate]:
-    """Returns an index of each trait."""
+    """Returns one of the indices for each trait."""
     numbers = (indices.index[which], indices.standard_error[which])
     return {
         of_trait(trait): (float(mean), float(error))

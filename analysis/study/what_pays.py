@@ -38,8 +38,8 @@ def mean_of(values: Values) -> Values:
     return [fmean(values)] * len(values)
 
 
-#: Features that are undone: a trait, and its new values from the old values
-#: and those of the baseline.
+#: Features that are undone: the trait, and a function of the old values and of
+#: those of the baseline that returns the new values.
 VARIANTS: dict[str, tuple[str, Callable[[Values, Values], Values]]] = {
     "azimuths of the baseline, all across the row": (
         "azimuth",
@@ -61,8 +61,8 @@ VARIANTS: dict[str, tuple[str, Callable[[Values, Values], Values]]] = {
 
 
 def alike(trait: str, a: Values, b: Values) -> float:
-    """Returns how alike plants are: 1 is the same, 0 unrelated. Azimuths count
-    as axes, without a direction."""
+    """Returns the similarity of two plants: 1 if equal, 0 if unrelated.
+    Azimuths are compared as axes, without direction."""
     if trait != "azimuth":
         return correlation(a, b) if min(stdev(a), stdev(b)) > 0 else math.nan
     return fmean(

@@ -28,10 +28,9 @@ std::vector<StatedLeaves> stated_leaves(const Spec& spec);
 void check_leaf_models(const Spec& spec, const Problems& problems);
 
 //! Returns the stomatal parameters of leaves. Defaults depend on the leaf
-//! model. For the
-//! model of Medlyn, the default slope is that of C4 plants or, for Farquhar
-//! leaves, their parameter g1. For the model of Ball and Berry, defaults are
-//! those of maize.
+//! model. For the model of Medlyn, the default slope is that of C4 plants or,
+//! for Farquhar leaves, their parameter g1. For the model of Ball and Berry,
+//! defaults are those of maize.
 Stomata to_stomata(const WaterSpec& table,
                    const Photosynthesis& photosynthesis);
 

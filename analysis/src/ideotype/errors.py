@@ -28,7 +28,7 @@ class Error(Exception):
 
 
 class NotCompiled(Error, ImportError):
-    """The error of an installation without the compiled module."""
+    """The error raised if the installation lacks the compiled module."""
 
 
 class Problem(NamedTuple):

@@ -80,8 +80,8 @@ def write_file(
 def require_output(
     path: Path, root: Path | None = None, *, replaces: bool = True
 ) -> None:
-    """Raises OutputRefused if write_file() would refuse the file; for a check
-    before long computations."""
+    """Checks whether write_file() would accept the file, before long
+    computations. Raises OutputRefused if not."""
     for folder in _folders(path, root):
         status = _status(folder)
         if status and not stat.S_ISDIR(status.st_mode):

@@ -16,7 +16,7 @@ from . import style
 
 def draw_atlas(case: Case) -> Figure:
     """Draws the first objective of the leader of each cell of the first two
-    axes, the best where there is a third one.
+    axes; if there is a third axis, the best of its leaders.
 
     Raises HistoryError if no leader is evaluated yet."""
     atlas = case.best_history.atlas()

@@ -71,7 +71,7 @@ def _act(effect: str, values: NDArray, numbers: NDArray) -> NDArray:
 def _spread_over_leaves(
     case: Case, trait: str, genomes: NDArray, leaves: int
 ) -> NDArray:
-    """Returns a trait's number for each leaf."""
+    """Returns the values of a trait at each leaf."""
     numbers = genomes[:, case.genes.columns(trait)]
     if case.genes.kind(trait) == "profile":
         return curve(numbers, np.linspace(0, 1, leaves))
@@ -145,7 +145,7 @@ def _draw_compass(axes: Axes, case: Case) -> None:
     axes.set(xlim=(-1.5, 1.5), ylim=(-2.4, 2.1))
     axes.plot([0, 0], [-1, 1], color=style.QUIET, linestyle="--")
     direction = row_direction(case)
-    # The N of the arrow is at 1.12, and may be at the end of the row.
+    # The N of the arrow is at 1.12, where the end of the row may also be.
     cosine = 0.0 if direction is None else np.cos(np.deg2rad(direction))
     is_near, is_far = cosine > 0.7, cosine < -0.7
     axes.text(

@@ -57,9 +57,9 @@ def describe_intervals(cases: Sequence[Case]) -> str:
 
 
 def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
-    """Draws for each case the gain of the best plant over the baseline, and
-    over the elite plant if a cross-evaluation has this plant, in %: the mean
-    of searches with its interval, and each search."""
+    """Draws the gain of the best plant of each case over the baseline [%], and
+    over the elite plant if a cross-evaluation contains it: the mean over
+    searches with its interval, and each search."""
     known = select_known(cases)
     figure = style.new_figure(style.WIDTH, 1.5 + measure_gains(known, cross))
     axes = figure.add_subplot()
@@ -110,8 +110,8 @@ marker and label."""
 def _list_gain_lines(
     known: Sequence[Case], cross: Cross | None
 ) -> list[_Line]:
-    """Returns the gain of each case; for a single case also the gain of each
-    search, with the interval of evaluation noise only."""
+    """Returns the gain of each case. For a single case it also returns the
+    gain of each search, with an interval of evaluation noise only."""
     names = short_names(known)
     lines: list[_Line] = []
     if len(known) == 1 and len(known[0].pairs) > 1:
@@ -214,9 +214,9 @@ def _describe_leaves(known: Sequence[Case]) -> str:
 
 
 def compute_shares(case: Case, who: str) -> dict[str, Interval]:
-    """Returns parts of the incident PAR in the order of the figure; organs
-    other than leaves, stalks and sheaths are added, and their errors are added
-    too as an upper bound."""
+    """Returns parts of the incident PAR in the order of the figure. Organs
+    other than leaves, stalks and sheaths are combined; the sum of their errors
+    is an upper bound of the combined error."""
     parts = {"leaves": case.number(who, "absorbed_fraction")}
     for organ, share in case.light_by_organ(who).items():
         part = _ORGANS.get(organ, "other organs")

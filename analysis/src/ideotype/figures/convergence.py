@@ -38,10 +38,10 @@ RACE = 16
 
 def draw_convergence(case: Case) -> Figure:
     """Draws the first objective by generation, numbered from 0 as in the file,
-    against the baseline, and the re-evaluated best plant. For a single seed
-    the figure has the best plant with its standard error, and the mean with
-    the spread of the population; for several seeds it has means over seeds,
-    with the range of seeds as a band."""
+    with the baseline and the re-evaluated best plant. A single seed is shown
+    by its best plant with the standard error, and by the mean and spread of
+    its population; several seeds are shown by their means, with the range over
+    seeds as a band."""
     runs = [history.generations() for history in case.histories]
     runs = [run for run in runs if len(run)]
     if not runs:
@@ -120,8 +120,8 @@ def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
 
 
 def _scale(case: Case, runs: Sequence[Generations]) -> float:
-    """Returns the size of the baseline's objective, or that of the last
-    populations as long as the baseline is not known."""
+    """Returns the absolute objective of the baseline, or that of the last
+    populations while the baseline is unknown."""
     if case.pairs:
         return abs(case.baseline.objective.mean)
     return abs(float(np.mean([run.mean.values[-1] for run in runs])))

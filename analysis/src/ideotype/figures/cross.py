@@ -57,7 +57,8 @@ class Cross:
                 known = [self.estimate(plant, case) for plant in plants]
                 found = [figure for figure in known if figure]
                 row.append(interval(found) if found else None)
-            # A plant of a single seed keeps the full name with the seed.
+            # A plant with a single seed keeps its full name, which contains
+            # the seed.
             table.append((name if len(plants) > 1 else plants[0], row))
         return table
 

@@ -30,10 +30,12 @@ _LOWERED = {
 
 
 def draw_days(case: Case) -> Figure:
-    """Draws quantities by day of a season: first the objective, or if it is
-    not known by day the quantity nearest to it, with best minus baseline.
+    """Draws quantities by day of a season with the differences between best
+    and baseline. The first panel shows the objective or, if it is not known by
+    day, the most similar quantity.
 
-    Losses of carbon are not known by day: each day has those of the mean day.
+    Carbon losses are not known by day: each day is assigned those of the mean
+    day.
 
     Raises HistoryError if no quantity is known by day."""
     names = list_names(case, "day", "day")
@@ -58,8 +60,8 @@ def _course(case: Case, name: str) -> Course:
 
 
 def _lowered(case: Case, goal: str) -> Course | None:
-    """Returns an objective that is gross assimilation less losses. None for
-    plants that grow: their losses change with their leaf area."""
+    """Returns an objective that equals gross assimilation minus losses.
+    Returns None for growing plants, with losses that change with leaf area."""
     losses = _losses(case)
     if (
         goal not in _LOWERED
@@ -75,8 +77,8 @@ def _lowered(case: Case, goal: str) -> Course | None:
 
 
 def _losses(case: Case) -> tuple[float, ...] | None:
-    """Returns gross assimilation less the objective of baseline and best, on a
-    mean day."""
+    """Returns gross assimilation minus the objective on a mean day, of
+    baseline and best."""
     if _GROSS not in case.best.row.quantities:
         return None
     plants = [getattr(case, who) for who in PLANTS]
@@ -98,8 +100,8 @@ def _count_days_ahead(case: Case, course: Course, is_objective: bool) -> str:
 
 def _how(case: Case) -> str:
     """Divides the difference in carbon into gross assimilation and losses.
-    Losses follow from leaf area, which is exact, so that the difference in
-    gross assimilation has the paired error of the objective."""
+    Losses follow from leaf area, which is exact, so that the error of the
+    difference in gross assimilation is the paired error of the objective."""
     goal = case.best.row.goals[0]
     if goal.name not in _LOWERED or (losses := _losses(case)) is None:
         return ""

@@ -141,7 +141,8 @@ def view_from_above(field: Field) -> View:
 
 
 def show(axes: Axes, view: View) -> None:
-    """Shows a painted view: thousands of faces would fill a PDF."""
+    """Shows a view as painted pixels, because thousands of faces would make a
+    PDF too large."""
     left, right, bottom, top = view.limits
     axes.set_facecolor(_SOIL(0.3))
     ramp = np.linspace(0, 1, 128)[:, None]

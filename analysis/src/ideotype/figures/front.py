@@ -54,7 +54,7 @@ def draw_front(case: Case) -> Figure:
 
 
 def _exchange(case: Case) -> str:
-    """States the objectives at both ends of the front of the best seed."""
+    """States the objectives at both ends of the best seed's front."""
     _, front = max(case.fronts, key=lambda each: int(each[1].is_kept.sum()))
     rows = front.members.take(front.is_kept)
     order = np.argsort(rows.objectives[:, 0])

@@ -96,8 +96,8 @@ def _over(case: Case, other: Case) -> Interval:
         )
         for each in (case, other)
     )
-    # Half widths are passed as standard errors, so that the result is a half
-    # width too.
+    # Half widths are passed as standard errors, so that the result is also a
+    # half width.
     ratio = relative_gain(
         *(Estimate(x.mean, x.below, x.unit) for x in (mine, theirs))
     )

@@ -51,7 +51,7 @@ def _text(value: Any) -> str:
 
 
 def _lines(axes: Axes) -> Iterator[tuple[str, tuple[Any, ...]]]:
-    """Returns the name of a series, and the numbers of a line."""
+    """Returns the name of a series and the numbers of its line."""
     inside: set[int] = set()
     for group in axes.containers:
         parts = (x for x in group if x is not None)
@@ -139,7 +139,7 @@ def _label(group: Any, line: Any) -> str:
 
 
 def _numbers(line: Line2D) -> list[NDArray[np.float64]]:
-    """Returns the places of the points of a line; dates are days."""
+    """Returns the coordinates of the points of a line; dates are days."""
     return [
         np.atleast_1d(np.asarray(values, float))
         for values in line.get_data(orig=False)
@@ -147,8 +147,8 @@ def _numbers(line: Line2D) -> list[NDArray[np.float64]]:
 
 
 def _named(axes: Axes, which: str, value: float) -> Any:
-    """Returns the text of the tick at a place where ticks are words, the date
-    of a day, or the number."""
+    """Returns the text of the tick at a coordinate if ticks are words, the
+    date if it is a day, else the number."""
     axis = getattr(axes, f"{which}axis")
     locator = axis.get_major_locator()
     if isinstance(locator, FixedLocator | StrCategoryLocator):

@@ -176,8 +176,8 @@ def _tendency(known: Sequence[Case], position: _Number, label: str) -> str:
 
 
 def _by_rows(name: str, members: Sequence[Case]) -> dict[str, list[Case]]:
-    """Returns cases by their lines: a line for each distance of rows, unless
-    the distance within rows is constant."""
+    """Returns cases by line: one line for each row distance, unless the
+    distance within rows is constant."""
     lines: dict[str, list[Case]] = {}
     for case in sorted(members, key=_rows):
         lines.setdefault(f"{name}, rows {_rows(case):.4g} m", []).append(case)

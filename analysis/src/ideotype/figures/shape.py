@@ -168,7 +168,8 @@ def _draw_trait(axes: Axes, case: Case, trait: str, place: NDArray) -> None:
     draw_plants(axes, case, lambda genomes: genomes[:, columns], place, 3)
     shown = case.top(COUNT).genome[:, columns]
     _draw_mean(axes, shown, place - 0.28 * step, is_circular)
-    # The limits hold the bounds, and deviations that reach past them.
+    # The axis limits include the bounds, and deviations that extend beyond
+    # them.
     left, right = axes.dataLim.intervalx
     margin = 0.04 * (right - left)
     axes.set_xlim(left - margin, right + margin)

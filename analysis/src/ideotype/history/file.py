@@ -51,13 +51,14 @@ class Writer(Enum):
 
 
 class _Unmarked(io.FileIO):
-    """A file without the marks of a writer that has it open or was killed, so
-    that HDF5 reads it as a closed file.
+    """A file without the marks that a writer sets while it has the file open,
+    and leaves if it is killed. HDF5 therefore reads it as a closed file.
 
-    HDF5 opens marked files only in SWMR mode. In this mode it takes a wrong
-    checksum for a write in progress and retries a hundred times, with sleeps
-    that double: for days, and deaf to interrupts. The metadata of a history
-    never change (FORMAT.md), so a wrong checksum of metadata means damage."""
+    HDF5 opens marked files only in SWMR mode. In this mode it attributes a
+    wrong checksum to a write in progress and retries a hundred times with
+    doubling pauses, which takes days and cannot be interrupted. The metadata
+    of a history never change (FORMAT.md), so that a wrong checksum of metadata
+    means damage."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(path)
@@ -198,7 +199,7 @@ def _superblock(path: Path) -> _Superblock:
                 f"{path}: this history was cut short, only {len(block.data)} "
                 "bytes are left"
             )
-        # A writer may be changing its mark just now.
+        # A writer may be changing its mark at this moment.
         for _ in range(_LOOKS):
             if not block.has_marks or block.is_whole:
                 return block

@@ -35,7 +35,7 @@ def make_rows(
     row = table[row_axis].values.astype(int)
     generation, slot = np.full(len(row), _FINAL), row
     if starts is not None and len(row):
-        # The first generation begins with row 0 even while it is incomplete.
+        # The first generation begins with row 0, even if it is incomplete.
         starts = starts if len(starts) else np.zeros(1, int)
         generation = np.searchsorted(starts, row, side="right") - 1
         slot = row - starts[generation]

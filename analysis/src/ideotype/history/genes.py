@@ -75,7 +75,7 @@ def curve(points: NDArray, at: NDArray) -> NDArray[np.float64]:
     """Interpolates points, equidistant over [0, 1] on the last axis, at `at`,
     as the program interpolates profiles: by a monotone cubic (Fritsch and
     Butland 1984, doi:10.1137/0905021)."""
-    # This import takes as long as all others together.
+    # This import takes as long as all other imports together.
     from scipy.interpolate import PchipInterpolator
 
     points = np.asarray(points)

@@ -204,7 +204,7 @@ def _morris(
         genes = groups == factor
         change = np.diff(points[:, :, genes], axis=1)
         sample, row = np.nonzero((change != 0).any(2))
-        # The genes of a factor may step in different directions.
+        # The genes of a factor may be changed in different directions.
         is_one = genes.sum() == 1
         sign = np.sign(change[sample, row, 0]) if is_one else 1
         effects = sign * np.diff(y, axis=1)[sample, row] / step

@@ -27,7 +27,7 @@ def verify(data: Datasets) -> None:
     _check(
         data, "the header", _header(data), data.attributes().get("checksum")
     )
-    # Marks of completion are read before the data that they mark as complete.
+    # The completion marks are read before the data that they describe.
     committed = data.read("generations/committed").astype(bool)
     status = data.read("final/status")
     table = _columns(data, "generations", _NOT_HASHED)

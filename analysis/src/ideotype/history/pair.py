@@ -20,9 +20,9 @@ class Pair:
 
     @property
     def is_final(self) -> bool:
-        """Whether both were re-evaluated after the search. If not, the best
-        plant was selected by noisy values, and its objective is too good on
-        average."""
+        """Whether both were re-evaluated after the search. Otherwise the best
+        plant was selected by noisy values, so that its objective is
+        overestimated on average."""
         return self.baseline.is_final and self.best.is_final
 
     @property

@@ -53,9 +53,9 @@ def further_gain(runs: Sequence[ArrayLike], sign: int) -> FurtherGain | None:
     A line is fitted to the second half of the generations of each search. The
     standard error of its slope accounts for autocorrelation by the effective
     number of generations n (1 - r) / (1 + r), where r is the lag-1
-    autocorrelation of residuals if positive. A linear trend is an upper bound
-    for searches with diminishing gains. None if a search has fewer than LEAST
-    generations in its second half."""
+    autocorrelation of the residuals, or 0 if that is negative. For searches
+    with diminishing gains, a linear trend gives an upper bound. None if a
+    search has fewer than LEAST generations in its second half."""
     trends = []
     for run in runs:
         values = sign * np.asarray(run, dtype=float)

@@ -94,7 +94,7 @@ def _lever(
     kind, place, label = "plant", 0.5, word
     if gene["leaf"]:
         kind, label = "leaf", f"leaf {gene['leaf']}"
-        # A trait that sets a measure has the numbers of the measure.
+        # A trait that sets a measure is shown in the units of this measure.
     elif table.get("per") == "profile" or points > 1:
         kind, at = "profile", int(re.findall(r"\d+$", gene["name"])[0])
         place = (at - 1) / max(points - 1, 1)

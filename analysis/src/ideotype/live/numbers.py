@@ -137,7 +137,7 @@ class Samples:
         mine = np.array([self.by_seed[seed] for seed in seeds])
         others = np.array([other.by_seed[seed] for seed in seeds])
         apart = mine[..., 0] - others[..., 0]
-        # A plant does not differ from itself.
+        # The difference of a plant from itself is exact.
         errors = np.hypot(mine[..., 1], others[..., 1]) * (apart != 0)
         return self._mean(apart, errors)
 

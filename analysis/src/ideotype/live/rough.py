@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Quick first answers of the live page, where one evaluation takes longer than
-a slider should wait.
+"""Quick first answers of the live page, for campaigns in which one evaluation
+takes longer than the user of a slider should wait.
 
-A coarse stand has fewer pieces of each leaf, longer steps of weather, and
-fewer ages of plants that grow. Its values are wrong by some per cent, but by
-nearly the same part for one plant as for another. So the first answer is the
-known numbers of an anchor plant, times the ratio of both plants' numbers in
-coarse stands."""
+A coarse stand has fewer pieces per leaf, longer time steps of weather and
+fewer ages of growing plants. Its values have errors of several per cent, but
+the relative error is nearly the same for different plants. The first answer is
+therefore the known value of an anchor plant, times the ratio of both plants'
+values in coarse stands."""
 
 from __future__ import annotations
 
@@ -52,7 +52,8 @@ def coarsen(tables: Tables) -> Tables | None:
 
 
 def _thinned(weather: Tables) -> Tables:
-    """Returns weather in steps that are means over several."""
+    """Returns weather with longer time steps, each the mean of several
+    steps."""
     steps = len(weather["hours"])
     together = steps // _STEPS if steps % _STEPS == 0 else 1
     count = len(weather["dates"]) * steps
@@ -93,13 +94,14 @@ class Anchor:
         near = self.coarse[:, 0]
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = mean / near
-        # A number near zero has no useful ratio: its difference is kept
+        # A ratio to a number near zero is useless; the difference is used
         # instead.
         scales = (ratio > 0.5) & (ratio < 2)
         ratio = np.where(scales, ratio, 1.0)
         shift = np.where(scales, 0.0, mean - near)
 
-        # Under the anchor's conditions a coarse stand lacks the same plants.
+        # Under the conditions of the anchor, the coarse stand has the same
+        # missing plants.
         is_other = conditions != self.conditions
         fields = np.sqrt(2) * self.spread if is_other else 0.0
 
@@ -119,7 +121,8 @@ class Anchor:
 
 
 def _apart(one: Array, other: Array) -> Array:
-    """Returns upper bounds of the standard errors of differences [numbers]:
-    both plants have the same random numbers. Equal numbers do not differ."""
+    """Returns upper bounds of the standard errors of differences between
+    plants with common random numbers [numbers]. The difference of equal
+    numbers is exact."""
     error = np.hypot(one[:, 1], other[:, 1])
     return np.where(one[:, 0] == other[:, 0], 0.0, error)

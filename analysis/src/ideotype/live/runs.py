@@ -82,7 +82,8 @@ class Folder:
             at = path.stat()
             stamp = (at.st_mtime_ns, at.st_size)
             known = self._known.get(path)
-            # Only a finished case cannot change without a new time stamp.
+            # Only the file of a finished case cannot change without a new time
+            # stamp.
             if (
                 known
                 and known.stamp == stamp

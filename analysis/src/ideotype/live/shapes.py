@@ -33,7 +33,8 @@ class Growth:
         hourly = np.array(weather["temperature"], float)
         steps = len(weather["hours"])
         daily = hourly.reshape(-1, steps)[first:]
-        # A day has 24 hours for the crop, whatever number the file has.
+        # The crop model uses 24 hours per day, whatever the time step of the
+        # file.
         at = np.arange(24) * steps // 24
         self._hourly = np.ascontiguousarray(daily[:, at].ravel())
         self._times: NDArray[np.float64] | None = None

@@ -19,12 +19,13 @@ def dataset(
     unit, a meaning and values [n], or values and standard errors [n, 2]."""
     variables: dict[str, Any] = {}
     for name, along, unit, meaning, numbers in arrays:
-        # Only faces have no coordinate.
+        # Faces are the only dimension without a coordinate.
         shape = [len(coordinates.get(x, numbers)) for x in along]
         means = numbers if numbers.ndim == 1 else numbers[:, 0]
         described = {"units": unit, "long_name": meaning}
         variables[name] = (along, means.reshape(shape), described)
-        # A later array replaces an earlier one of its name, with its errors.
+        # A later array replaces an earlier one with the same name, including
+        # its errors.
         variables.pop(f"{name}_standard_error", None)
         if numbers.ndim == 2:
             errors = numbers[:, 1].reshape(shape)

@@ -34,12 +34,12 @@ _TURN = 10.0
 
 def evaluate_changes(case: Case, threads: int = 1) -> list[Change]:
     """Evaluates the best plant of a case with each free trait changed, in the
-    same fields and light as the best plant and the baseline. Returns the
-    traits in the order of their loss when set to the baseline, the largest
-    first; standard errors are paired.
+    fields and the light of the best plant and the baseline. Returns the traits
+    in decreasing order of the loss that occurs if the trait is set to its
+    baseline value; standard errors are paired.
 
-    Raises Error if there is no compiled module, or the module cannot use the
-    history."""
+    Raises Error if there is no compiled module, or if the module cannot use
+    the history."""
     best = case.best.row.genome[0]
     baseline = case.baseline.row.genome[0]
     genes = case.genes
@@ -91,9 +91,9 @@ def _moved(
     genome: NDArray[np.float64],
     sign: int,
 ) -> NDArray[np.float64]:
-    """Returns genes changed by 10 deg or 10 %; the percentage is taken of the
-    larger of the value and half of the range, since an added number may be
-    0."""
+    """Returns genes changed by 10 deg or by 10 %. The percentage refers to the
+    larger of the value and half the range, because a value that is added to a
+    measure may be 0."""
     values = genome[columns]
     if genes.units[columns[0]] == "deg":
         step = np.full(len(columns), _TURN)

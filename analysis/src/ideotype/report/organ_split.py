@@ -65,10 +65,10 @@ _CARBON = ("capacity", "density")
 
 
 def make_variants(resolved: Mapping[str, Any]) -> list[Variant]:
-    """Returns the variants of a resolved campaign, each with fewer functions of
-    other organs than the one before; none if its plants are leaves alone.
-    Where other organs assimilate or cost carbon, a variant has organs that
-    only absorb light."""
+    """Returns the variants of a resolved campaign, each with fewer functions
+    of other organs than the preceding one; none if plants consist of leaves
+    only. If other organs assimilate or cost carbon, one variant has organs
+    that only absorb light."""
     plant = resolved.get("plant", {})
     if not plant.get("organs"):
         return []
@@ -117,8 +117,8 @@ class Split:
 
     @property
     def parts(self) -> tuple[Estimate, ...]:
-        """The gain that each variant lacks and the one before it has, with
-        paired standard errors."""
+        """The gain that is lost from each variant to the next, with paired
+        standard errors."""
         return tuple(map(difference, self.gains, self.gains[1:]))
 
     @property
@@ -148,9 +148,9 @@ def _is_above_zero(values: Numbers) -> bool:
 
 
 def _relative(reference: Numbers, change: Numbers) -> Estimate:
-    """Returns 100 change / reference [%]. Its randomisations are those of the
-    ratio to first order, so that their scatter gives its standard error, and
-    that of differences between gains."""
+    """Returns 100 change / reference [%]. Its randomisations are those of a
+    first-order expansion of the ratio, so that their scatter gives the
+    standard error of the ratio, and of differences between ratios."""
     mean = float(reference.mean())
     ratio = float(change.mean()) / mean
     draws = ratio + (change - ratio * reference) / mean
@@ -238,7 +238,7 @@ def tabulate_splits(splits: Mapping[str, Split | Note]) -> list[Block]:
     notes: list[Block] = [x for x in splits.values() if isinstance(x, Note)]
     if not known:
         return notes
-    # Cases have all or some of the same variants.
+    # The variants of each case are some or all of the same variants.
     variants = max((x.variants for x in known.values()), key=len)
     titles = [f"gain {v.title} [%]" for v in variants]
     titles += [

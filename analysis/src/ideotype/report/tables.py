@@ -64,7 +64,7 @@ SCREEN = 16
 
 def select_extremes(cases: Sequence[Case]) -> list[Case]:
     """Returns the cases with the largest and smallest gains, as many as fit on
-    a screen, the best first; if all fit, they keep their order."""
+    a screen, best first. If all cases fit, their order is unchanged."""
     if len(cases) <= SCREEN:
         return [*cases]
     known = sorted(

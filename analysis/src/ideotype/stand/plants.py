@@ -193,7 +193,7 @@ def _are_numbers(labels: Sequence[Any]) -> bool:
 def _make_numbers(
     stand: _core.PlantStand, evaluation: tuple[Any, ...]
 ) -> dict[Key, Estimate]:
-    """Returns the compared numbers of an evaluation, with their
+    """Returns the compared numbers of an evaluation with their
     randomisations."""
     objectives, draws, estimates, by_randomisation = evaluation
     sizes = {axis: len(at) for axis, _, _, at in stand.axes}

@@ -148,7 +148,8 @@ def guarded(
 
 
 def _drop_output() -> None:
-    """Discards output that cannot be written; Python would retry at exit."""
+    """Discards output that cannot be written; otherwise Python would retry at
+    exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 

@@ -96,8 +96,8 @@ class Survey:
             pass
 
     def _begin(self, settings: list[Setting]) -> None:
-        """Measures each setting of a ladder once and removes those that take
-        too long."""
+        """Measures each setting of a ladder once, and removes settings that
+        take too long."""
         last = OWN
         for setting in list(settings):
             # More accurate settings may take several times as long.
@@ -127,7 +127,8 @@ class Survey:
             cost = sum(self._cost[setting] for setting in settings)
             return least(settings) * math.sqrt(cost)
 
-        # A ladder with only the setting of the campaign has nothing to compare.
+        # A ladder that contains only the campaign's setting has nothing to
+        # compare.
         several = [settings for settings in ladders if settings != [OWN]]
         settings = min(several, key=work, default=[])
         fewest = least(settings) if settings else 0

@@ -198,7 +198,8 @@ def _joined(
         whole = whole.combine_first(frame)
     if len(set(steps)) > 1:
         raise Error("the files have different time steps; give --step 60")
-    # Steps without light at both ends are useless.
+    # Time steps before the first and after the last value of light are
+    # omitted.
     light = (
         whole[[name for name in _LIGHT if name in whole]].notna().any(axis=1)
     )

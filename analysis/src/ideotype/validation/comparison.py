@@ -119,8 +119,8 @@ class Result:
 
 
 def effective_error(row: Measurement) -> float:
-    """Returns the standard error of a measurement; UNKNOWN_ERROR times the
-    value if it is unknown, 0 for a range."""
+    """Returns the standard error of a measurement. If it is unknown,
+    UNKNOWN_ERROR times the value is assumed; for a range it is 0."""
     if not math.isnan(row.error):
         return row.error
     return UNKNOWN_ERROR * abs(row.value) if row.low == row.high else 0.0

@@ -122,7 +122,7 @@ def _relative_lai(seen: Seen, row: Measurement) -> float:
 
 
 def _shoot(seen: Seen, row: Measurement) -> float:
-    """Returns the dry matter without roots, which are a share of all
+    """Returns the dry matter without roots, which are a fraction of all
     structures."""
     growth = seen.campaign["plant"]["baseline"].get("growth", {})
     share = growth.get("root_share", 0)

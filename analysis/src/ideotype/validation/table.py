@@ -302,7 +302,7 @@ def _registry() -> Any:
             'pip install "ideotype[validate]"'
         ) from None
 
-    # Units are written with exponents behind them, such as g m-2 day-1.
+    # Units have exponents at their end, such as g m-2 day-1.
     exponent = re.compile(r"([A-Za-z%µ]+)\s*\^?(-?\d)(?![\d.])")
     registry: Any = UnitRegistry(
         preprocessors=[

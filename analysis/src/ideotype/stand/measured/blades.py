@@ -248,7 +248,7 @@ def _sections(points: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
         previous = direction
         at = flat @ direction
         low, high = np.quantile(at, [0.01, 0.99]) / 0.98
-        # In a folded blade the midrib is the keel.
+        # The midrib of a folded blade is its keel.
         inner = np.abs(at - (low + high) / 2) < max(0.15 * (high - low), 1e-4)
         keel = c + (flat[inner].mean(axis=0) if inner.any() else 0)
         middle.append(keel)

@@ -191,7 +191,7 @@ class _Crops:
             "leaf": leaves,
         }
         if "height" in made["stalk"]:
-            # Rounding must not move the highest leaf above the stalk.
+            # Rounding must not place the highest leaf above the stalk.
             above = made["stalk"]["height"] - _highest(crop_leaves)
             made["stalk"]["height"] = _highest(leaves) + above
         if "organ" in crop:

@@ -35,7 +35,7 @@ def read(path: Path, form: str) -> Readings:
     readings = FORMATS[form](path)
     readings.frame = readings.frame.astype(float).dropna(axis=1, how="all")
     days = (readings.frame.index - pd.Timedelta("1s")).to_series()
-    # In a typical year, months of different years follow each other.
+    # In a typical year, consecutive months come from different years.
     readings.is_typical |= bool(
         ((days.diff().abs() > pd.Timedelta("1D")) & days.dt.year.diff().ne(0))
         .iloc[1:]

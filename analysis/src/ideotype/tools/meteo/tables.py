@@ -114,7 +114,7 @@ def read_epw(path: Path) -> Readings:
     table = table[[x for x in names if x in table]].rename(columns=names)
     unknown = {"temperature": 99.9, "humidity": 999, "wind": 999}
     table = table.replace(unknown | {"pressure": 999999}, np.nan)
-    # A single row per hour, with minute 0 or 60, is the mean of the hour.
+    # A single row per hour, at minute 0 or 60, is the mean of the hour.
     is_parted = table["minute"].nunique() > 1
     minute = table["minute"].where((table["minute"] > 0) & is_parted, 60)
     stamps = (

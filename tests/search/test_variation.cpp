@@ -99,8 +99,8 @@ std::vector<Candidate> make_children(const Gene& gene, const GaSettings& ga,
 }
 
 //! Distances of the two children of each crossed couple from the mean of their
-//! parents, relative to half the distance between the parents. A child on the
-//! side of its own parent has a positive distance.
+//! parents, relative to half the distance between the parents. The distance
+//! is positive for a child on the side of its parent.
 struct Spreads {
     std::vector<double> below, above;
 };

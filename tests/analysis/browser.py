@@ -77,7 +77,8 @@ def run_in_browser(
 
 
 def _run(command: list[str]) -> tuple[str, str]:
-    """Returns the output and the log. All processes of the browser are ended."""
+    """Returns the output and the log. All processes of the browser are
+    ended."""
     process = subprocess.Popen(
         command,
         stdout=subprocess.PIPE,

@@ -29,7 +29,8 @@ def labels(figure: Figure) -> set[str]:
 
 
 def horizontal_bars(axes: Axes, index: int = 0) -> tuple[np.ndarray, ...]:
-    """Returns the means by leaf and the half-lengths of a set of error bars."""
+    """Returns the means by leaf and the half-lengths of a set of error
+    bars."""
     found = [c for c in axes.containers if isinstance(c, ErrorbarContainer)]
     line, _, (segments,) = found[index].lines
     ends = np.array(segments.get_segments())

@@ -83,7 +83,8 @@ def view(phone: Phone) -> str:
 
 
 def bare(phone: Phone) -> float:
-    """Returns the fraction of the picture that has the colour of its corner."""
+    """Returns the fraction of the picture that has the colour of its
+    corner."""
     return float(
         phone.value(
             """(() => {

@@ -297,7 +297,8 @@ class MadeHistory:
         self.file.flush()
 
     def close(self) -> None:
-        """Closes the file and releases its lock, like the program at its end."""
+        """Closes the file and releases its lock, like the program at its
+        end."""
         self.file.close()
         os.close(self._lock)
 

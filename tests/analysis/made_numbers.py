@@ -96,12 +96,14 @@ def final_absorbed(slot: int) -> float:
 
 
 def hypervolume(generation: int) -> float:
-    """Returns the hypervolume of a generation's front, for several objectives."""
+    """Returns the hypervolume of a generation's front, for several
+    objectives."""
     return 1.0 - 0.5 ** (generation + 1)
 
 
 def leaf_share(leaf: int) -> float:
-    """Returns the fraction of the absorbed PAR that leaf 1 ... LEAVES absorbs."""
+    """Returns the fraction of the absorbed PAR that leaf 1 ... LEAVES
+    absorbs."""
     return 2 * leaf / (LEAVES * (LEAVES + 1))
 
 

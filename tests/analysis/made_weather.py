@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes days of weather as files of many formats; all contain the same data."""
+"""Writes days of weather as files of many formats; all contain the same
+data."""
 
 from __future__ import annotations
 

@@ -38,7 +38,8 @@ def damage(path: Path, byte: int) -> Path:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """Provides a good history between two others, one of which cannot be read."""
+    """Provides a good history between two others, one of which cannot be
+    read."""
     place = tmp_path / "results"
     place.mkdir()
     damage(place / "a.h5", UNREADABLE)

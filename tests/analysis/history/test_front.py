@@ -45,7 +45,8 @@ def history(tmp_path: Path) -> Path:
 def test_non_dominated_agrees_with_a_published_sorting(
     signs: tuple[int, ...], digits: int
 ) -> None:
-    """With one digit, many rows have equal values in one objective or in all."""
+    """With one digit, many rows have equal values in one objective or in
+    all."""
     random = np.random.default_rng(len(signs))
     rows = random.random((120, len(signs))).round(digits)
     expected = NonDominatedSorting().do(

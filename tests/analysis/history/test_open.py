@@ -91,7 +91,8 @@ def test_every_kill_leaves_the_recorded_rows(tmp_path: Path) -> None:
 def test_histories_are_read_with_any_setting_of_file_locking(
     writer: WriterProcess, locking: str
 ) -> None:
-    """The file is read while its writer lives, and after the writer is killed."""
+    """The file is read while its writer lives, and after the writer is
+    killed."""
     writer.do("evolve 1")
     program = (
         "import sys; from ideotype.history import open_history\n"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes single calls fail in a small campaign: a short form of tests/faults."""
+"""Makes single calls fail in a small campaign: a short form of
+tests/faults."""
 
 from __future__ import annotations
 

@@ -140,7 +140,8 @@ def test_documented_names_are_public(name: str) -> None:
 
 
 def test_all_public_names_of_packages_are_documented() -> None:
-    """Names of different packages may be equal, so that objects are compared."""
+    """Names of different packages may be equal, so that objects are
+    compared."""
     packages = [*map(ideotype.__getattr__, ideotype._PACKAGES)]
     # The function `mesh` has the same name as a package, which would be found
     # instead.

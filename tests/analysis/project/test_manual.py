@@ -198,7 +198,8 @@ def test_every_command_of_a_readme_runs(
 def test_every_submission_of_a_readme_can_be_planned(
     clone_with_results: Path,
 ) -> None:
-    """tests/slurm submits jobs; this test checks the options of each command."""
+    """tests/slurm submits jobs; this test checks the options of each
+    command."""
     commands = [
         line
         for block in list_blocks(TOP / "slurm" / "README.md")

@@ -172,13 +172,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return _fail(REFUSED, error)
         except OSError as error:
             return _fail(1, error)
-    # Recorded verdicts are those of the plants and stands of the facts.
     worse = [
         x.fact.name
         for x in results
-        if x.fact.verdict == Verdict.passes
-        and x.verdict == Verdict.misses
-        and not options.set
+        if x.fact.verdict == Verdict.passes and x.verdict == Verdict.misses
     ]
     if worse:
         print(

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
 ABBREVIATIONS = {
     "co2": "CO\N{SUBSCRIPT TWO}",
@@ -37,6 +38,13 @@ def _parts(name: str) -> list[str]:
     for key, term in _TERMS.items():
         name = name.replace(key, term)
     return name.replace("_", " ").split(" ")
+
+
+def describe_span(counts: Collection[int], form: str = "") -> str:
+    """Returns the smallest and the largest count, as in "3 to 5", or the only
+    one."""
+    ends = dict.fromkeys((min(counts), max(counts)))
+    return " to ".join(f"{count:{form}}" for count in ends)
 
 
 def unit_label(unit: str) -> str:

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
+from ..common.labels import describe_span
 from ..history.case import Case
 from ..history.file import HistoryError
 from ..history.state import Generations
@@ -128,8 +129,7 @@ def _scale(case: Case, runs: Sequence[Generations]) -> float:
 
 
 def _count(runs: Sequence[Generations]) -> str:
-    counts = sorted({len(run) for run in runs})
-    return " to ".join(str(n) for n in dict.fromkeys((counts[0], counts[-1])))
+    return describe_span([len(run) for run in runs])
 
 
 def _range(low: float, high: float) -> str:

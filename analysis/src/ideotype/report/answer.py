@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from ..common.labels import words
+from ..common.labels import describe_span, words
 from ..errors import Error
 from ..figures.comparison import select_known
 from ..history.bounds import bounds_in_words, traits_at_bounds
@@ -111,8 +111,8 @@ def _describe_many(
     significant = sum(gain.is_sure for gain in gains.values())
     goals = {case.best.row.goals[0].name for case in known}
     quantity = words(goals.pop()) if len(goals) == 1 else "the objective"
-    counts = sorted({len(case.pairs) for case in known})
-    searches = " to ".join(map(str, dict.fromkeys((counts[0], counts[-1]))))
+    counts = [len(case.pairs) for case in known]
+    searches = describe_span(counts)
     note = f"; {ONE_SEED}" if 1 in counts else ""
     median = float(np.median([gain.mean for gain in gains.values()]))
     return (

@@ -12,7 +12,7 @@ from pathlib import Path
 import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from ..common.labels import words
+from ..common.labels import describe_span, words
 from ..common.output import write_file
 from ..figures.comparison import describe_intervals, select_known
 from ..figures.paper import draw_paper_figure
@@ -21,7 +21,7 @@ from ..history.case import Case
 from ..history.results import count_evaluations
 from .blocks import PaperFigure
 from .gallery import format_pdf, format_svg
-from .scene import Plants
+from .scene import Plants, select_best
 from .tables import select_extremes
 
 _NAME = "figure"
@@ -44,8 +44,7 @@ def make_paper_figure(
 
     Raises HistoryError if nothing is evaluated yet."""
     known = select_known(cases)
-    best = max(known, key=lambda case: case.relative_gain().mean)
-    plants = dict(zip(map(id, cases), shapes, strict=True))[id(best)]
+    best, plants = select_best(cases, shapes)
     shown = select_extremes(known)
     with matplotlib.rc_context(
         {**RC, "font.size": 8.0, "legend.fontsize": 8.0, "svg.hashsalt": _NAME}
@@ -105,12 +104,8 @@ def _statistics(known: Sequence[Case]) -> list[str]:
         str(h.resolved.get("search", {}).get("optimizer", ""))
         for h in histories
     } - {""}
-    counts = sorted({count_evaluations(history) for history in histories})
-    evaluations = " to ".join(
-        f"{count:,}" for count in dict.fromkeys((counts[0], counts[-1]))
-    )
-    searches = sorted({len(case.pairs) for case in known})
-    number = " to ".join(map(str, dict.fromkeys((searches[0], searches[-1]))))
+    evaluations = describe_span([*map(count_evaluations, histories)], ",")
+    number = describe_span([len(case.pairs) for case in known])
     plural = "es" if number != "1" else ""
     optimizer = f" (optimiser {', '.join(sorted(optimizers))})" * bool(
         optimizers

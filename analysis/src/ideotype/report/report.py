@@ -36,7 +36,7 @@ from .page import render
 from .paper import FILES, make_paper_figure
 from .provenance import tabulate_provenance
 from .scenario_table import tabulate_scenarios
-from .scene import Plants, make_scene
+from .scene import Plants, make_scene, select_best
 from .workers import start_workers
 
 _VIEW = (
@@ -224,8 +224,7 @@ def _result(
     if not known:
         return section
     section.blocks.append(make_answer(cases, splits))
-    best = max(known, key=lambda case: case.relative_gain().mean)
-    plants = dict(zip(map(id, cases), shapes))[id(best)]
+    best, plants = select_best(cases, shapes)
     of_case = f" of {best.name}, the largest gain" if len(known) > 1 else ""
     if plants is not None:
         section.draw(

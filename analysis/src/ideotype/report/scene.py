@@ -48,6 +48,15 @@ class Plants:
     """Other finalists of all seeds and the user's own plants, with names."""
 
 
+def select_best(
+    cases: Sequence[Case], shapes: Sequence[Plants | None]
+) -> tuple[Case, Plants | None]:
+    """Returns the evaluated case with the largest gain, and its plants.
+    `shapes` are the plants of each case."""
+    known = [pair for pair in zip(cases, shapes, strict=True) if pair[0].pairs]
+    return max(known, key=lambda pair: pair[0].relative_gain().mean)
+
+
 def build_plants(case: Case, plant_files: Sequence[Path] = ()) -> Plants:
     """Builds the plants of a case, and the user's own plants from their files.
     Raises HistoryError if nothing is evaluated

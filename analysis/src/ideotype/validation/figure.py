@@ -79,10 +79,7 @@ def draw_fact(result: Result) -> Figure:
 def _hours(point: Point, axis: str) -> str:
     """Returns the hours of a measurement of a part of the day, unless they are
     the axis."""
-    hours = point.measurement.hours
-    if axis == "hour" or not hours:
-        return ""
-    return "-".join(f"{x:%H:%M}" for x in hours)
+    return "" if axis == "hour" else point.measurement.hours_text
 
 
 def _position(point: Point, axis: str) -> Any:

@@ -20,7 +20,7 @@ def describe_conditions(row: Measurement) -> str:
     if row.date:
         parts.append(str(row.date))
     if row.hours:
-        parts.append("-".join(f"{time:%H:%M}" for time in row.hours))
+        parts.append(row.hours_text)
     if row.leaves:
         parts.append(f"{row.leaves} third")
     if row.position == row.position or row.quantity == "light":

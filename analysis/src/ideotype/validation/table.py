@@ -72,6 +72,11 @@ class Measurement:
         return not math.isnan(self.low)
 
     @property
+    def hours_text(self) -> str:
+        """The hours as "12:20-14:20"; "" for the whole day."""
+        return "-".join(f"{end:%H:%M}" for end in self.hours or ())
+
+    @property
     def value(self) -> float:
         """The value, or the middle of the measured range; of an open range its
         finite end."""

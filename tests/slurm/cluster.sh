@@ -117,7 +117,13 @@ srun_of_mpi() {
 submit() {
     "$project/slurm/submit" "${@:2}" >"submit-$1.log" 2>&1 ||
         fail "submit: $(cat "submit-$1.log")"
-    job=$(sed -n 's/^job  *\([0-9]*\).*/\1/p' "submit-$1.log")
+    job=$(job_of "$1" 1)
+}
+
+# Prints job $2, from 1, of the chain that was submitted as $1. Its numbers need
+# not be consecutive, because SLURM also numbers tasks of arrays.
+job_of() {
+    sed -n 's/^job  *\([^;]*\);.*/\1/p' "submit-$1.log" | cut -d ' ' -f "$2"
 }
 
 # Waits until the file $1 exists.

@@ -66,11 +66,6 @@ has() {
     grep -q -- "$1" "${@:2}" || fail "no '$1' in $(cat "${@:2}")"
 }
 has "drained; the next job of the chain continues" "ideotype-chain-$limit.log"
-# Prints job $2, from 1, of the chain that was submitted as $1. Its numbers need
-# not be consecutive, because SLURM also numbers tasks of arrays.
-job_of() {
-    sed -n 's/^job  *\([^;]*\);.*/\1/p' "submit-$1.log" | cut -d ' ' -f "$2"
-}
 has ": start 1 on node\[1-2\]" "ideotype-chain-$(job_of limit 2).log"
 has ": complete$" ideotype-chain-*.log
 has "drained; the next job" "ideotype-tasks-${tasks}_0.log"

@@ -293,7 +293,8 @@ def sides(
                     "diffuse": ["diffuse", "W m-2"],
                 }
             ],
-            # The plant spacing is so large that the modules stand over soil.
+            # The plants are so far apart that the modules stand over
+            # practically bare soil.
             "spacing": [
                 {
                     "row": pitch / 2,

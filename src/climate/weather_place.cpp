@@ -104,8 +104,8 @@ void check_clock(const WeatherTable& table,
     if (hours >= (long_enough ? 0.5 : 1)) findings.doubt(line, text, false);
 }
 
-//! Compares the light of each day with the extraterrestrial light, and finds
-//! days that receive more than nearly all of it.
+//! Compares the light of each day with the extraterrestrial light, and reports
+//! days whose light exceeds about 95 % of it.
 void check_days(const std::vector<WeatherStep>& series,
                 const std::vector<double>& measured, const Site& site,
                 Findings& findings) {

@@ -8,10 +8,11 @@
 namespace ideotype {
 
 //! Coordinates without bounds for the free genes that have a range, in units of
-//! the range. Circular genes are unwrapped: whole turns do not change the
-//! value. Other genes equal their coordinate except within 5 % of the range at
-//! a bound. There they approach the bound smoothly and turn back, without a
-//! jump of value or slope.
+//! the range. A circular gene is unwrapped: whole turns do not change its
+//! value. Any other gene equals its coordinate, except in the 5 % of the range
+//! next to each bound. There, as the coordinate passes the bound, the value
+//! approaches the bound smoothly and then moves back into the range, without a
+//! jump in value or slope.
 class UnboundedGenes {
   public:
     explicit UnboundedGenes(const GeneSpace& genes);

@@ -470,8 +470,9 @@ struct Table {
     constexpr Table written_if() const {
         return with(&Table::is_written, &holds<Parent, condition>);
     }
-    //! Makes reading update records that already exist. Each record defines the
-    //! names that its keys may use.
+    //! Declares that the records exist before this table is read: reading
+    //! updates them instead of adding new ones. Each record defines the names
+    //! that its keys may use.
     template <class Record, auto function>
     constexpr Table completed_with() const {
         Table table = with(&Table::keeps_records, true);

@@ -88,7 +88,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture(scope="module")
 def day() -> Iterator[Served]:
-    """Serves `ideotype play` of maize on a clear day."""
+    """Runs the server of `ideotype play` for maize on a clear day."""
     with served("play", CAMPAIGNS / "ames.toml") as found:
         yield found
 

@@ -205,7 +205,7 @@ TEST_F(TwoLeaves, LayersWithoutAThicknessReachTheTop) {
     EXPECT_NEAR(leaves / report.par().light.day.leaves.mean, 1, 1e-12);
 }
 
-TEST_F(TwoLeaves, TheSunlitLeafAreaIsToldOnlyOnDemand) {
+TEST_F(TwoLeaves, TheSunlitLeafAreaIsReportedOnlyOnDemand) {
     const CanopyReport without = evaluated();
     EXPECT_FALSE(without.par().light.steps.front().sunlit);
     request.details.sunlit = true;
@@ -216,7 +216,7 @@ TEST_F(TwoLeaves, TheSunlitLeafAreaIsToldOnlyOnDemand) {
               without.par().budget_by_randomisation);
 }
 
-TEST_F(TwoLeaves, FirstHitsTellTheSunlitLeafAreaToo) {
+TEST_F(TwoLeaves, FirstHitsGiveTheSunlitLeafAreaToo) {
     request = two_leaves({4096, 16});
     request.details.sunlit = true;
     request.scene.components[0].photosynthesis.emplace();

@@ -114,7 +114,7 @@ double mean_of_strips(const CanopyReport& report) {
     return sum / strips;
 }
 
-TEST_P(Panels, ShadeTheGroundAsPvlibTells) {
+TEST_P(Panels, LightOnTheGroundAgreesWithPvlibAndRadiosity) {
     const Json& array = arrays()[GetParam()];
     const CanopyReport report = panels_over_ground(array["config"], 0, .2, 0);
     EXPECT_NEAR(mean_of_strips(report) /
@@ -132,7 +132,7 @@ TEST_P(Panels, ShadeTheGroundAsPvlibTells) {
     }
 }
 
-TEST_P(Panels, AreLitAsTheRadiosityTells) {
+TEST_P(Panels, LightOnPanelsAndGroundAgreesWithRadiosity) {
     const Json& array = arrays()[GetParam()];
     const auto check = [&](const CanopyReport& report, const Json& exact) {
         for (const int side : {0, 1}) {

@@ -92,7 +92,7 @@ TEST(Pieces, HaveTheWidthOfTheBladeWhereTheyAre) {
         EXPECT_NEAR(found[v], expected[v], .1 * width) << v;
 }
 
-TEST(Pieces, OfAFieldAreThoseOfEachPlantThenWhatIsNotCut) {
+TEST(Pieces, OfAFieldAreListedByPlantBeforeUncutSurfaces) {
     Scene scene;
     for (const int along : {2, 3}) {
         Component& one = scene.components.emplace_back();

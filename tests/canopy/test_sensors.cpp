@@ -37,7 +37,7 @@ TEST_F(Sensors, AboveThePlantsReceiveAllLight) {
 
 //! Sensors on the ground, averaged over a row distance, receive the light that
 //! reaches the soil.
-TEST_F(Sensors, OnTheSoilReceiveWhatItAbsorbs) {
+TEST_F(Sensors, OnTheSoilAverageToTheLightThatReachesIt) {
     const double row = request.scene.cell.row_distance;
     std::vector<Sensor> sensors;
     for (int i = 0; i < 10; ++i) sensors.push_back({0, (i + .5) / 10 * row});

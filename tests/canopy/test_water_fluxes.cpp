@@ -103,7 +103,7 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
 
 //! All evaluations use the same light, so that fluxes scatter only because
 //! points are sampled.
-TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
+TEST_F(WaterOfTwoLeaves, SamplingFewPointsIsUnbiasedAndReportsItsError) {
     const std::vector<Estimate> all = fluxes(1, 1e6);
     constexpr int runs = 400;
     std::vector<std::vector<double>> found(leaf_fluxes);

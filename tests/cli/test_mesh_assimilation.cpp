@@ -32,7 +32,8 @@ void set_light(MeshSpec& options, const Json& input, const char* beam,
     }
 }
 
-//! Checks a value against a reference by the rule for reference data.
+//! Expects that a value agrees with its reference within four combined standard
+//! errors plus 0.05 % of the reference.
 void expect_agreement(Estimate ours, const Json& reference,
                       const std::string& subject) {
     const double mean = reference.at(0), error = reference.at(1);

@@ -56,7 +56,7 @@ TEST(Allocation, IsCheapestForAnyPowers) {
         }
 }
 
-TEST(Allocation, GivesNothingToWhatHasNoVariance) {
+TEST(Allocation, GivesNothingToOriginsWithoutVariance) {
     const Amounts amounts =
         allocate({{{10, 1e-3, 1}, {10, 0, 1}, {10, 0, 1}}}, {1, 1, 0}, 1e-5);
     EXPECT_NEAR(amounts[0], 1000, 1e-6);

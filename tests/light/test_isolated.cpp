@@ -50,7 +50,7 @@ Mesh box(double x, double y, double z) {
     return mesh;
 }
 
-TEST(Isolated, AHorizontalSheetTakesItsAreaWhateverTheSun) {
+TEST(Isolated, AHorizontalSheetAbsorbsTheLightOnItsAreaAtAnySunElevation) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {500, -3, .5}, {.5, 0, 0}, {0, .8, 0});
     for (const double elevation : {90., 40., 5., .1})
@@ -98,7 +98,7 @@ TEST(Isolated, AWallSeesTheSkyThatItFaces) {
     trace_plot(box(.6, .4, 2), leaf_optics(.4, .4, .3), sky);
 }
 
-TEST(Isolated, ABlackBoxTakesWhatEntersMoreThanItsGroundReceives) {
+TEST(Isolated, ABlackBoxAbsorbsTheLightOnItsTopAndWalls) {
     const Mesh mesh = box(.6, .4, 2);
     const Plot sun = trace_plot(mesh, black, sun_from(30, 90), .24);
     const double projected = .24 + .4 * 2 / std::tan(30 * degree);
@@ -160,7 +160,7 @@ TEST(Isolated, FiguresReferToTheGroundArea) {
     EXPECT_NEAR(two.soil.mean * 2 / one.soil.mean, 1, 1e-9);
 }
 
-TEST(Isolated, IsWhatAPeriodicStandIsUnderAZenithSunWithoutScattering) {
+TEST(Isolated, APlotOfBlackLeavesUnderAZenithSunEqualsAPeriodicStand) {
     // At this distance no light passes from one plot to another.
     Mesh mesh = load_reference_mesh("maize1");
     const Fractions stand =

@@ -40,7 +40,7 @@ Mesh sheets(std::initializer_list<double> heights) {
     return mesh;
 }
 
-TEST(Parts, LightOfSunAndSkyIsToldFromWhatOtherSurfacesScatter) {
+TEST(Parts, SunSkyAndScatteredLightAreSeparateAndSumToTheTotal) {
     const double albedo = .5;
     const DayReport r =
         report_of(sheets({1}), {1, 1}, leaf_optics(0, .4, albedo),
@@ -58,7 +58,7 @@ TEST(Parts, LightOfSunAndSkyIsToldFromWhatOtherSurfacesScatter) {
                 r.day.leaves.mean, 1e-12);
 }
 
-TEST(Parts, TheUpperFaceTakesTheSunAndTheLowerOneWhatTheSoilReflects) {
+TEST(Parts, UpperFacesAbsorbSunlightAndLowerFacesLightFromTheSoil) {
     const DayReport r = report_of(sheets({1}), {1, 1}, leaf_optics(0, .4, .5),
                                   instant({40, 120}, 1, 0));
     EXPECT_NEAR(r.adaxial.mean, .6, 1e-2);

@@ -204,7 +204,7 @@ TEST_F(Certainty, IsThatOfAPathWhereAllHaveMetALeaf) {
     EXPECT_DOUBLE_EQ(r.day.leaves.standard_error, path);
 }
 
-TEST_F(Certainty, IsFullOfWhatTheSceneDoesNotHave) {
+TEST_F(Certainty, IsFullForLightThatTheSceneCannotHave) {
     const DayReport r = seen(1e-5, {});
     const auto expect_none = [](Estimate x) {
         EXPECT_EQ(x.mean, 0);

@@ -81,7 +81,7 @@ TEST(RayScene, BothHalvesOfAFaceWithThreeCornersHaveItsNormal) {
     EXPECT_EQ(normals[0], normals[1]);
 }
 
-TEST(RayScene, RefusesWhatCannotBeTraced) {
+TEST(RayScene, RefusesUndefinedVerticesAndEmptyPeriods) {
     Mesh broken = sheet(0, 0);
     broken.vertices[0].z = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(RayScene(widest_device(), broken, 1, 1), Error);

@@ -79,7 +79,7 @@ TEST_F(LitLeaf, IsMetWithAsManyPathsAsThatTakes) {
     EXPECT_NEAR(leaves(fine).mean, 490, 4 * leaves(fine).standard_error);
 }
 
-TEST_F(LitLeaf, GivesWhatThesePathsGiveWithoutATolerance) {
+TEST_F(LitLeaf, HasTheSameLightFromTheSamePathsWithoutATolerance) {
     const Simulation adaptive = found(2e-3);
     const Mesh mesh = leaf(.7);
     const std::vector<Tally> tallies =
@@ -161,7 +161,7 @@ TEST_F(LitLeaf, IsCertainWhereItCannotAbsorb) {
 //! Rows of maize as in campaigns. The number of paths is neither too small nor
 //! twice as large as necessary, as it was when paths were doubled until the
 //! error was met.
-TEST(Tolerance, IsWhatTheErrorIsExpectedToBe) {
+TEST(Tolerance, IsCloseToTheResultingError) {
     const Mesh mesh = load_reference_mesh("maize1");
     const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
     constexpr double tolerance = 4e-3;

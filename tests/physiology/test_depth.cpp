@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<double> areas{0.4, 0.5, 0.3, 0.2};  //!< the lowest leaf first
 
-TEST(Depth, IsWhatIsAboveAndHalfOfTheLeaf) {
+TEST(Depth, IsTheLeafAreaAbovePlusHalfOfTheLeaf) {
     const std::vector<double> depth = depth_of_leaves(areas);
     EXPECT_DOUBLE_EQ(depth[3], .1);
     EXPECT_DOUBLE_EQ(depth[2], .2 + .15);

@@ -215,9 +215,8 @@ TEST(KeyValues, HavePhysicalLimits) {
         EXPECT_TRUE(used.contains(limit.end)) << limit.end << " is no key";
 }
 
-//! Keys with equal names and units have the same range and default in all
-//! tables. Exceptions are keys of other kinds of plants, which may be absent,
-//! and measures of organs.
+//! Each of the listed keys has the same range in all tables in which it occurs
+//! with the same unit, except in the tables of `light mesh`.
 TEST(KeyValues, OfTheSameKeyAreTheSameInAllTables) {
     std::map<std::string, Declared> first;
     for (const Declared& declared : declared_keys()) {

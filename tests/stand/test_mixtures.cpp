@@ -344,7 +344,7 @@ TEST_F(Mixtures, DoNotDependOnNames) {
               other.assimilation->gross.sum.mean);
 }
 
-TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
+TEST_F(Mixtures, ReportQuantitiesInTheDeclaredOrder) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
                       {weed, nir, "objective.maximise=net_assimilation"});

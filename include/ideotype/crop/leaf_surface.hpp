@@ -60,9 +60,9 @@ class LeafSurface {
     //! Returns the midrib's angle from the vertical at relative arc length s
     //! [rad].
     double angle(double s) const;
-    //! Moves a point (distance from the stalk, height) along the midrib between
-    //! two relative arc lengths: the integral of the midrib's direction by
-    //! Simpson's rule [m].
+    //! Moves a point (distance from the stalk, height) [m] along the midrib
+    //! from one relative arc length to another, by integrating the direction of
+    //! the midrib with Simpson's rule.
     void advance(glm::dvec2& point, double begin, double stop, int steps) const;
     //! Returns a midrib point with the edges of the folded blade on both sides.
     BladeRow across(const glm::dvec2& midrib, double angle, double width) const;

@@ -6,7 +6,7 @@
 
 namespace ideotype {
 
-//! Joins words to one line, quoted for the shell.
+//! Joins words into one command line, with each word quoted for the shell.
 std::string quoted(const std::vector<std::string>& words);
 
 //! Returns whether a line is of the form that quoted() makes and, in a shell,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A history: one case of a campaign, as FORMAT.md specifies it."""
+"""Reads a history: the file that records the search of one case of a campaign.
+FORMAT.md specifies the format."""
 
 from __future__ import annotations
 

@@ -41,10 +41,11 @@ _UNITS = {
 def results_of(
     cases: Sequence[Case], further: Mapping[str, Mapping[str, Any]] = {}
 ) -> pandas.DataFrame:
-    """Returns a table with one line for each case: coordinates, baseline,
-    best, gain with the ends of its 95 % confidence interval, leaf area index
-    and number of searches; unknown numbers are NaN. further: additional
-    columns by the name of the case. Units are in .attrs["units"]."""
+    """Returns a table with one line for each case: its site, day, spacing and
+    trait set, the baseline, the best plant, the gain with the ends of its 95 %
+    confidence interval, the leaf area index and the number of searches.
+    Unknown numbers are NaN. `further` maps the name of a case to additional
+    columns. Units are in .attrs["units"]."""
     # pandas is imported here, because its import is slow.
     import pandas
 

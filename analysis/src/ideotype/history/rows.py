@@ -200,7 +200,8 @@ class Evaluation:
 
     @property
     def objective(self) -> Estimate:
-        """The first objective, with its randomisations."""
+        """The estimate of the first objective, with its value in each
+        randomisation of the light."""
         return self._goal(0)
 
     def _goal(self, k: int) -> Estimate:

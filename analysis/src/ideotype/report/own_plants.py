@@ -48,10 +48,11 @@ class OwnPlant:
 def evaluate_own_plants(
     case: Case, paths: Sequence[Path]
 ) -> Iterator[OwnPlant]:
-    """Returns plants of crop files, measured leaves (.csv), digitised plants
-    (.obj, .ply, .dat, or .csv of midribs) and histories (their best plant), in
-    the fields and the light in which the finalists of a case were evaluated. A
-    digitised plant is evaluated as the crop that `ideotype fit` makes.
+    """Evaluates plants in the fields and the light in which the finalists of a
+    case were evaluated. Each path is a crop file, measured leaves (.csv), a
+    digitised plant (.obj, .ply, .dat, or .csv of midribs) or a history, of
+    which the best plant is taken. A digitised plant is evaluated as the crop
+    that `ideotype fit` makes of it.
 
     Raises Error if a plant cannot be read or evaluated."""
     if not paths:

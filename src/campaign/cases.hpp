@@ -172,6 +172,17 @@ std::size_t count_genes(const Campaign& campaign);
 //! @throws Error if there are too few or too many genes
 Plants grow(const Campaign& campaign, const Genome& genome);
 
+//! Returns the spacing of a component's rows and plants in a case.
+//! @param component number of the component; 0: the main crop
+Spacing spacing_of(const Campaign& campaign, const Case& chosen,
+                   std::size_t component);
+
+//! Returns the plant of a component as it grows at the density of its rows in a
+//! case.
+//! @param component number of the component; 0: the main crop
+Plant at_density(const Campaign& campaign, const Case& chosen,
+                 std::size_t component, const Plant& plant);
+
 //! Returns the genes of a case with their bounds. Genes of the main crop come
 //! first, followed by genes of optimised components, such as
 //! "soybean.petiole_length". Genes outside the trait set are not free.

@@ -64,6 +64,23 @@ Plants grow(const Campaign& campaign, const Genome& genome) {
     return plants;
 }
 
+Spacing spacing_of(const Campaign& campaign, const Case& chosen,
+                   std::size_t component) {
+    Spacing spacing = chosen.spacing;
+    if (component == 0) return spacing;
+    const Standing& standing = campaign.components.at(component - 1).standing;
+    if (standing.plants > 0)
+        spacing.plant *=
+            static_cast<double>(campaign.spec.field.plants) / standing.plants;
+    return spacing;
+}
+
+Plant at_density(const Campaign& campaign, const Case& chosen,
+                 std::size_t component, const Plant& plant) {
+    return respond(plant,
+                   spacing_of(campaign, chosen, component).plants_per_area());
+}
+
 std::size_t count_genes(const Campaign& campaign) {
     std::size_t count = campaign.bounds.size();
     for (const ComponentEntry& each : campaign.components)

@@ -12,18 +12,37 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the largest height that an upright leaf could reach [m], in the
-//! baseline or with all traits at their upper bounds.
-double reach_of(const Crop& crop, const std::vector<Range>& bounds,
+//! Returns the largest height that an upright leaf could reach [m] at any
+//! density of the campaign, in the baseline or with all traits at their upper
+//! bounds.
+double reach_of(const Spec& spec, const Crop& crop,
+                const std::vector<Range>& bounds,
                 const PlantVariation& variation) {
     std::vector<double> upper;
     for (const Range& range : bounds) upper.push_back(range.upper);
     const Plant largest = upper.empty() ? crop.baseline : grow(crop, upper);
     double top = 0;
-    for (const Plant* plant : {&crop.baseline, &largest})
-        for (const Leaf& leaf : plant->leaves)
-            top = std::max(top, furthest(*plant, leaf, variation));
+    const auto reach = [&](const Plant& plant) {
+        for (const Leaf& leaf : plant.leaves)
+            top = std::max(top, furthest(plant, leaf, variation));
+    };
+    for (const Plant* plant : {&crop.baseline, &largest}) {
+        reach(*plant);
+        if (!plant->plasticity.is_any()) continue;
+        for (const NamedSpacing& each : spec.spacings)
+            reach(respond(*plant, each.value.plants_per_area()));
+    }
     return top;
+}
+
+//! Makes a crop, without responses to density if the campaign ignores them.
+Crop crop_in(const Spec& spec, const CropSpec& of) {
+    Crop crop = crop_of(of);
+    if (!spec.plant.is_plastic) {
+        crop.baseline.plasticity.responses.clear();
+        crop.baseline.plasticity.turn = 0;
+    }
+    return crop;
 }
 
 std::vector<Range> all_bounds(const CropSpec& spec, const Crop& crop) {
@@ -35,7 +54,7 @@ std::vector<Range> all_bounds(const CropSpec& spec, const Crop& crop) {
     return bounds;
 }
 
-ComponentEntry to_component(const ComponentSpec& spec) {
+ComponentEntry to_component(const Spec& campaign, const ComponentSpec& spec) {
     ComponentEntry component;
     component.name = spec.name;
     Standing& standing = component.standing;
@@ -48,7 +67,7 @@ ComponentEntry to_component(const ComponentSpec& spec) {
         component.materials = spec.mesh.materials;
         return component;
     }
-    component.crop = crop_of(spec.crop);
+    component.crop = crop_in(campaign, spec.crop);
     component.bounds = all_bounds(spec.crop, component.crop);
     component.free = spec.free;
     component.optics = spec.crop.optics;
@@ -66,21 +85,21 @@ void resolve_stand(Campaign& campaign) {
     const Spec& spec = campaign.spec;
     const CropSpec& crop = spec.plant.crop;
     const PlantVariation& variation = spec.field.variation;
-    campaign.crop = crop_of(crop);
+    campaign.crop = crop_in(spec, crop);
     campaign.bounds = all_bounds(crop, campaign.crop);
-    campaign.reach = reach_of(campaign.crop, campaign.bounds, variation);
+    campaign.reach = reach_of(spec, campaign.crop, campaign.bounds, variation);
     campaign.follows = crop.follows;
     campaign.sampling = {*spec.light.paths, spec.light.randomisations,
                          *spec.light.tolerance, spec.light.fields};
     for (const ComponentSpec& component : spec.components) {
         const ComponentEntry& added =
-            campaign.components.emplace_back(to_component(component));
+            campaign.components.emplace_back(to_component(spec, component));
         campaign.reach = std::max(
             campaign.reach,
             added.mesh
                 ? heights_of(*added.mesh).upper
                 : reach_of(
-                      added.crop,
+                      spec, added.crop,
                       added.free.empty() ? std::vector<Range>{} : added.bounds,
                       added.standing.variation.value_or(variation)));
     }

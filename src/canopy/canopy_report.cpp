@@ -74,7 +74,8 @@ class Reporter {
         if (request_.details.form)
             result_.form = form_of(plant, first.tessellation);
         if (const auto& lines = request_.details.lines)
-            result_.lines = distance(*lines, plant);
+            result_.lines =
+                distance(*lines, first.at_reference.value_or(plant));
     }
 
     void report_areas() {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "effects.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/crop/measures.hpp"
 
@@ -30,31 +31,6 @@ double end_slope(double first, double second) {
     return slope;
 }
 
-MeasureInfo require_measure(Plant& plant, const std::string& name) {
-    const std::optional<MeasureInfo> measure = find_measure(plant, name);
-    if (!measure)
-        throw Error(fmt::format("plants have no measure named {}", name));
-    return *measure;
-}
-
-//! Changes a measure by the value of a trait, within the limits of the measure.
-void act(TraitEffect effect, double number, const MeasureInfo& measure,
-         double& value) {
-    switch (effect) {
-        case TraitEffect::sets:
-            value = number;
-            return;
-        case TraitEffect::scales:
-            value *= number;
-            break;
-        case TraitEffect::shifts:
-            value += number;
-            break;
-    }
-    if (!measure.is_direction)
-        value = std::clamp(value, measure.limits.lower, measure.limits.upper);
-}
-
 //! Selects the value of a trait that applies to a leaf.
 double select_value(const Trait& trait, const std::vector<double>& numbers,
                     std::size_t leaf, std::size_t leaves) {
@@ -64,12 +40,20 @@ double select_value(const Trait& trait, const std::vector<double>& numbers,
         case TraitNumbers::plant:
             break;
         case TraitNumbers::profile:
-            return profile(numbers, leaves < 2
-                                        ? 0
-                                        : static_cast<double>(leaf) /
-                                              static_cast<double>(leaves - 1));
+            return profile(numbers, relative_position(leaf, leaves));
     }
     return numbers.at(0);
+}
+
+//! Adds the response to density that the values of a trait describe.
+void add_response(const Trait& trait, const std::vector<double>& slopes,
+                  Plant& plant) {
+    if (std::ranges::all_of(slopes, [](double x) { return x == 0; })) return;
+    DensityResponse response;
+    (trait.effect == TraitEffect::scales ? response.scales : response.shifts) =
+        trait.measures;
+    response.slopes = slopes;
+    plant.plasticity.responses.push_back(std::move(response));
 }
 
 }  // namespace
@@ -117,7 +101,9 @@ std::vector<double> baseline_numbers(const Crop& crop) {
     for (const TraitNumber& number : trait_numbers(crop)) {
         const Trait& trait = crop.traits[number.trait];
         if (trait.effect != TraitEffect::sets) {
-            numbers.push_back(trait.effect == TraitEffect::scales ? 1 : 0);
+            const bool is_factor =
+                trait.effect == TraitEffect::scales && !trait.is_slope;
+            numbers.push_back(is_factor ? 1 : 0);
             continue;
         }
         const MeasureInfo measure =
@@ -142,13 +128,15 @@ Plant grow(const Crop& crop, const std::vector<double>& numbers) {
     Plant plant = crop.baseline;
     for (std::size_t t = 0; t < crop.traits.size(); ++t) {
         const Trait& trait = crop.traits[t];
-        for (const std::string& name : trait.measures) {
-            const MeasureInfo measure = require_measure(plant, name);
-            const std::size_t count = measure.values.size();
-            for (std::size_t i = 0; i < count; ++i)
-                act(trait.effect, select_value(trait, values[t], i, count),
-                    measure, *measure.values[i]);
+        if (trait.is_slope) {
+            add_response(trait, values[t], plant);
+            continue;
         }
+        for (const std::string& name : trait.measures)
+            change(plant, name, trait.effect,
+                   [&](std::size_t leaf, std::size_t leaves) {
+                       return select_value(trait, values[t], leaf, leaves);
+                   });
     }
     stack_internodes(plant);
     return plant;

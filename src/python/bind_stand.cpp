@@ -253,9 +253,8 @@ CaseStand::CaseStand(Campaign campaign, const Case& chosen,
       chosen_(chosen),
       stand_(campaign_, chosen_),
       devices_(isa.empty() ? Device::supported_isas().back() : isa) {
-    devices_.with(
-        [](const Device&) {});  // fails if the instruction set is not supported
-    stand_.prepare();
+    // Fails if the instruction set is not supported.
+    devices_.with([&](const Device& device) { stand_.prepare(device); });
 }
 
 Plants CaseStand::grown(const Genome& genome) const {
@@ -295,7 +294,8 @@ Mesh CaseStand::mesh(const Genome& genome, std::size_t component,
     if (component > 0 && component <= campaign_.components.size())
         if (const auto& mesh = campaign_.components[component - 1].mesh)
             return *mesh;
-    Plant plant = grown(genome).at(component);
+    Plant plant =
+        at_density(campaign_, chosen_, component, grown(genome).at(component));
     if (thermal_time) {
         const Growth* growth = growth_of(campaign_, component);
         if (!growth)

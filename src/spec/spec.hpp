@@ -175,6 +175,8 @@ struct PlantSpec {
     //! and 2 maturity. It affects only the photosynthetic capacity of leaves,
     //! which changes with the age of the crop.
     double stage = 1;
+    //! Whether plants of all crops respond to density as their files state.
+    bool is_plastic = true;
     Tessellation tessellation;
 };
 

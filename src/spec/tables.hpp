@@ -11,6 +11,7 @@ namespace ideotype {
 inline constexpr std::size_t most_components = 20;
 inline constexpr std::size_t most_leaves = 40;
 inline constexpr std::size_t most_organs = 40;
+inline constexpr std::size_t most_responses = 40;
 inline constexpr std::size_t most_traits = 100;
 //! Largest number of entries of an axis.
 inline constexpr std::size_t most_entries = 10'000;

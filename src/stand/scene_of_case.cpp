@@ -79,39 +79,17 @@ void set_built_organs(const Growth* growth, const Plant& plant, double before,
             std::max(0., component.built_organs[i] - then[i].mass);
 }
 
-//! Sets a component to a full-grown plant, or to its plant at a growth stage.
+//! Sets a component to the plant of a line as it grows at the density of the
+//! case, full-grown or at a growth stage.
 void set_grown(const Campaign& campaign, const Case& chosen, std::size_t number,
-               const Plant& plant, Component& component) {
-    const Growth* const growth = growth_of(campaign, number);
-    if (!chosen.stage) {
-        Plant aged = plant;
-        if (growth)
-            age_organs(*growth,
-                       find_thermal_time(*growth, campaign.spec.plant.stage),
-                       aged);
-        return set_plant(component, aged, first_material(number));
-    }
-    const double age = chosen.stage->ages[number];
-    const double before = chosen.stage->ages_before[number];
-    set_plant(component, growth ? age_plant(*growth, plant, age) : plant,
-              first_material(number));
-    component.full_grown = plant;
-    const Mesh mesh =
-        build_plant(growth ? complete_plant(*growth, plant) : plant,
-                    component.tessellation);
-    const std::vector<double> areas = face_areas(mesh);
-    const std::vector<LeafDates> dates =
-        growth ? leaf_dates(*growth) : std::vector<LeafDates>{};
-    set_built_organs(growth, plant, before, component);
-    component.built.assign(growth ? dates.size() : plant.leaves.size(), 0);
-    for (std::size_t f = 0; f < areas.size(); ++f) {
-        const std::size_t leaf = mesh.face_group[f];
-        if (leaf >= component.built.size()) continue;
-        component.built[leaf] +=
-            areas[f] * (growth ? visible_share(dates[leaf], age) -
-                                     visible_share(dates[leaf], before)
-                               : (chosen.stage->number == 0 ? 1 : 0));
-    }
+               const Plant& line, Component& component) {
+    component.at_reference.reset();
+    if (!line.plasticity.responses.empty()) component.at_reference = line;
+    const Spacing spacing = spacing_of(campaign, chosen, number);
+    component.turn = turn_at(line.plasticity, spacing.plants_per_area());
+    component.is_gap_along_row = spacing.plant > spacing.row;
+    set_grown_plant(campaign, chosen, number,
+                    at_density(campaign, chosen, number, line), component);
 }
 
 //! Scales photosynthetic capacity and respiration of leaves to the age of a
@@ -189,14 +167,50 @@ void take_share(const Stage& stage, Sampling& sampling) {
 
 }  // namespace
 
+void set_grown_plant(const Campaign& campaign, const Case& chosen,
+                     std::size_t number, const Plant& plant,
+                     Component& component) {
+    const Growth* const growth = growth_of(campaign, number);
+    if (!chosen.stage) {
+        Plant aged = plant;
+        if (growth)
+            age_organs(*growth,
+                       find_thermal_time(*growth, campaign.spec.plant.stage),
+                       aged);
+        return set_plant(component, aged, first_material(number));
+    }
+    const double age = chosen.stage->ages[number];
+    const double before = chosen.stage->ages_before[number];
+    set_plant(component, growth ? age_plant(*growth, plant, age) : plant,
+              first_material(number));
+    component.full_grown = plant;
+    const Mesh mesh =
+        build_plant(growth ? complete_plant(*growth, plant) : plant,
+                    component.tessellation);
+    const std::vector<double> areas = face_areas(mesh);
+    const std::vector<LeafDates> dates =
+        growth ? leaf_dates(*growth) : std::vector<LeafDates>{};
+    set_built_organs(growth, plant, before, component);
+    component.built.assign(growth ? dates.size() : plant.leaves.size(), 0);
+    for (std::size_t f = 0; f < areas.size(); ++f) {
+        const std::size_t leaf = mesh.face_group[f];
+        if (leaf >= component.built.size()) continue;
+        component.built[leaf] +=
+            areas[f] * (growth ? visible_share(dates[leaf], age) -
+                                     visible_share(dates[leaf], before)
+                               : (chosen.stage->number == 0 ? 1 : 0));
+    }
+}
+
 Scene scene_of(const Campaign& campaign, const Case& chosen) {
     // The periodic cell, and the main crop at its age.
     FieldForm form = campaign.spec.field;
     form.spacing = chosen.spacing;
     Scene scene;
     scene.cell = cell_of(form);
-    scene.components = {component_of(campaign.crop.baseline, form,
-                                     campaign.spec.plant.tessellation)};
+    scene.components = {
+        component_of(at_density(campaign, chosen, 0, campaign.crop.baseline),
+                     form, campaign.spec.plant.tessellation)};
     Component& bred = scene.components.front();
     bred.photosynthesis = campaign.photosynthesis;
     bred.stomata = campaign.stomata;

@@ -77,13 +77,13 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
 
 namespace {
 
-double constrained_lai(const Campaign& campaign, const Plant& plant,
-                       const CanopyReport& report) {
+double constrained_lai(const Campaign& campaign, const Case& chosen,
+                       const Plant& plant, const CanopyReport& report) {
     const ComponentReport& bred = report.components.front();
     return campaign.spec.field.variation.is_any() || report.grows
-               ? lai_of_line(
-                     build_plant(plant, campaign.spec.plant.tessellation),
-                     bred.ground_per_plant)
+               ? lai_of_line(build_plant(at_density(campaign, chosen, 0, plant),
+                                         campaign.spec.plant.tessellation),
+                             bred.ground_per_plant)
                : bred.lai;
 }
 
@@ -123,8 +123,8 @@ Estimate land_equivalent_ratio(const Campaign& campaign,
     return ratio;
 }
 
-Outcome to_outcome(const Campaign& campaign, const Plant& plant,
-                   const CanopyReport& report) {
+Outcome to_outcome(const Campaign& campaign, const Case& chosen,
+                   const Plant& plant, const CanopyReport& report) {
     Outcome outcome;
     outcome.status = Status::done;
     for (const ObjectiveEntry& objective : objectives_of(campaign)) {
@@ -136,7 +136,7 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
     }
     outcome.violation =
         violation(campaign.spec.constraints, campaign.crop.traits, plant,
-                  constrained_lai(campaign, plant, report));
+                  constrained_lai(campaign, chosen, plant, report));
     if (const double limit = campaign.spec.feasibility.limit;
         report.lines && limit > 0)
         outcome.violation += std::max(0.0, report.lines->from_mean / limit - 1);
@@ -147,6 +147,7 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
 Stand::Stand(const Campaign& campaign, const Case& chosen)
     : campaign_(campaign),
       cases_(evaluated_cases(chosen)),
+      cue_(campaign, cases_),
       across_(campaign, chosen),
       schema_(outcome_schema(campaign, chosen, campaign.sampling)),
       final_schema_(schema_) {
@@ -154,28 +155,36 @@ Stand::Stand(const Campaign& campaign, const Case& chosen)
         static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
 }
 
-void Stand::prepare() {
+void Stand::prepare(const Device& device) {
     if (!scenes_.empty()) return;
     for (const Case& each : cases_)
         scenes_.push_back(scene_of(campaign_, each));
+    cue_.prepare(device);
 }
 
 template <class Take>
 void Stand::evaluate_each(const Plants& plants, const Sampling& sampling,
                           const Device& device, Take take) {
-    prepare();
-    for (std::size_t i = 0; i < scenes_.size(); ++i)
-        take(ideotype::evaluate(
-            request_of(sampling, campaign_, cases_[i], scenes_[i], plants),
-            device));
+    prepare(device);
+    LightCue::Response response(cue_);
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+        CanopyRequest request =
+            request_of(sampling, campaign_, cases_[i], scenes_[i], plants);
+        response.set_plants(i, plants, request.scene);
+        const CanopyReport report = ideotype::evaluate(request, device);
+        response.observe(i, request.scene, report);
+        take(cases_[i], report);
+    }
 }
 
 Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
                         const Device& device) {
     std::vector<Outcome> outcomes;
-    evaluate_each(plants, sampling, device, [&](const CanopyReport& report) {
-        outcomes.push_back(to_outcome(campaign_, plants.front(), report));
-    });
+    evaluate_each(plants, sampling, device,
+                  [&](const Case& chosen, const CanopyReport& report) {
+                      outcomes.push_back(to_outcome(campaign_, chosen,
+                                                    plants.front(), report));
+                  });
     Outcome outcome = across_.combine(outcomes);
     IDEOTYPE_ENSURE(outcome.quantities.size() == schema_.measured.size());
     if (campaign_.water && campaign_.spec.water->limit > 0) {
@@ -197,23 +206,26 @@ RandomisedOutcome Stand::evaluate_by_randomisation(const Plants& plants,
                                                    const Device& device) {
     std::vector<Outcome> outcomes;
     std::vector<std::vector<Outcome>> apart;  // [randomisation, case]
-    evaluate_each(plants, sampling, device, [&](const CanopyReport& report) {
-        outcomes.push_back(to_outcome(campaign_, plants.front(), report));
-        const std::vector<Randomised> quantities =
-            measure_by_randomisation(report);
-        apart.resize(report.randomisations());
-        for (std::size_t r = 0; r < apart.size(); ++r) {
-            Outcome& one = apart[r].emplace_back(outcomes.back());
-            for (std::size_t q = 0; q < quantities.size(); ++q) {
-                const std::vector<double>& values =
-                    quantities[q].by_randomisation;
-                one.quantities[q] = {
-                    values.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                   : values.at(r),
-                    0};
-            }
-        }
-    });
+    evaluate_each(plants, sampling, device,
+                  [&](const Case& chosen, const CanopyReport& report) {
+                      outcomes.push_back(to_outcome(campaign_, chosen,
+                                                    plants.front(), report));
+                      const std::vector<Randomised> quantities =
+                          measure_by_randomisation(report);
+                      apart.resize(report.randomisations());
+                      for (std::size_t r = 0; r < apart.size(); ++r) {
+                          Outcome& one = apart[r].emplace_back(outcomes.back());
+                          for (std::size_t q = 0; q < quantities.size(); ++q) {
+                              const std::vector<double>& values =
+                                  quantities[q].by_randomisation;
+                              one.quantities[q] = {
+                                  values.empty()
+                                      ? std::numeric_limits<double>::quiet_NaN()
+                                      : values.at(r),
+                                  0};
+                          }
+                      }
+                  });
     RandomisedOutcome result{across_.combine(outcomes), {}};
     for (const std::vector<Outcome>& outcomes_of_one : apart) {
         std::vector<double>& values = result.quantities.emplace_back();

@@ -12,6 +12,7 @@
 #include "ideotype/core/random.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/device.hpp"
+#include "light_cue.hpp"
 #include "search/outcome.hpp"
 
 namespace ideotype {
@@ -50,6 +51,13 @@ Layers canopy_layers(const Campaign& campaign);
 //! scenarios. The scene can be reused for other plants.
 Scene scene_of(const Campaign& campaign, const Case& chosen);
 
+//! Sets a component of a scene to a plant that has responded to its
+//! neighbours, full-grown or at the stage of a case.
+//! @param number number of the component; 0: the main crop
+void set_grown_plant(const Campaign& campaign, const Case& in,
+                     std::size_t number, const Plant& plant,
+                     Component& component);
+
 //! Returns the optional details that a campaign needs for every plant.
 Details details_of(const Campaign& campaign);
 
@@ -85,9 +93,10 @@ double lai_of_line(const Mesh& plant, double ground_per_plant);
 
 //! Converts a report to the outcome of a plant, in a case with one scenario or
 //! at one stage.
-//! @param plant plant of the main crop, to which constraints apply
-Outcome to_outcome(const Campaign& campaign, const Plant& plant,
-                   const CanopyReport& report);
+//! @param plant plant of the main crop, to which constraints apply; that of the
+//! leaf area index applies at the density of the case
+Outcome to_outcome(const Campaign& campaign, const Case& chosen,
+                   const Plant& plant, const CanopyReport& report);
 
 //! An outcome with values of its quantities by randomisation.
 struct RandomisedOutcome {
@@ -108,10 +117,10 @@ class Stand {
         return is_final ? final_schema_ : schema_;
     }
 
-    //! Sets up the scenes of all scenarios; otherwise the first evaluation does
-    //! so. After this call several threads may evaluate, each with a different
-    //! device.
-    void prepare();
+    //! Sets up the scenes of all scenarios, and the light to which plants
+    //! respond; otherwise the first evaluation does so. After this call several
+    //! threads may evaluate, each with a different device.
+    void prepare(const Device& device);
 
     //! Returns the outcome over all scenarios, a pure function of plants and
     //! sampling.
@@ -133,6 +142,7 @@ class Stand {
     const Campaign& campaign_;
     std::vector<Case> cases_;    //!< cases of each scenario and stage
     std::vector<Scene> scenes_;  //!< scenes, empty until set up
+    LightCue cue_;
     AcrossScenarios across_;
     OutcomeSchema schema_, final_schema_;
 };

@@ -66,6 +66,25 @@ TEST(Field, AFractionOfPlantsPointsAcrossTheRow) {
     EXPECT_NEAR(across / 2000., 0.7, 4 * std::sqrt(.7 * .3 / 2000));
 }
 
+TEST(Field, PlantsTurnTowardsTheWidestGap) {
+    Component component;
+    set_places(component, {50, 40, {0.762, 0.1524}, 90});
+    const std::vector<double> random =
+        draw_plant_azimuths(component, {1, 0, 0});
+    component.turn = 0.6;
+    const std::vector<double> across =
+        draw_plant_azimuths(component, {1, 0, 0});
+    component.is_gap_along_row = true;
+    const std::vector<double> along = draw_plant_azimuths(component, {1, 0, 0});
+    for (std::size_t i = 0; i < random.size(); ++i) {
+        // A plane of leaves has the same direction after half a turn.
+        EXPECT_NEAR(std::remainder(across[i], 180),
+                    .4 * std::remainder(random[i], 180), 1e-9);
+        EXPECT_NEAR(std::remainder(along[i] - 90, 180),
+                    .4 * std::remainder(random[i] - 90, 180), 1e-9);
+    }
+}
+
 TEST(Field, AFractionOfPlantsIsMissingOrLate) {
     const Plant sample = sample_plant();
     const Mesh plant = build_plant(sample, {});

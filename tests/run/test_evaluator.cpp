@@ -231,7 +231,7 @@ TEST(Canopy, InThePolarNightAllQuantitiesAreZero) {
         const Plant& baseline = campaign.crop.baseline;
         const Outcome outcome = checked_outcome(
             outcome_schema(campaign, night, campaign.sampling),
-            to_outcome(campaign, baseline,
+            to_outcome(campaign, night, baseline,
                        evaluate(request_of(sampling_of(Task{}, campaign, night),
                                            campaign, night, scene, {baseline}),
                                 device)));

@@ -52,7 +52,7 @@ std::vector<Outcome> separately(const Case& robust) {
         one.seed = robust.seed;
         const Plant& plant = campaign.crop.baseline;
         outcomes.push_back(to_outcome(
-            campaign, plant,
+            campaign, one, plant,
             evaluate(request_of(sampling_of(Task{}, campaign, one), campaign,
                                 one, scene_of(campaign, one), {plant}),
                      device)));

@@ -18,6 +18,9 @@ struct Spacing {
     double row_direction = 90;
     //! Plant density that determines `plant` [m-2]; 0: `plant` is given.
     double density = 0;
+
+    //! Returns the density of plants in these rows [m-2].
+    double plants_per_area() const { return 1 / (row * plant); }
 };
 
 //! A lattice of plants that is either an infinite periodic field or an isolated

@@ -68,6 +68,11 @@ struct Component {
     std::size_t mixed = 0;
     //! Largest random rotation of plants, either way [deg].
     double jitter = 0;
+    //! Angle by which the plane of each plant's leaves turns towards the widest
+    //! gap between plants, relative to its angle from the direction of the gap,
+    //! and whether this gap is along the row instead of across it.
+    double turn = 0;
+    bool is_gap_along_row = false;
     //! The plant from which the mesh is built and from which other plants of
     //! its line deviate. None if the mesh was not built by this program.
     std::optional<Plant> plant{};
@@ -78,6 +83,9 @@ struct Component {
     double ground_per_plant = 0;  //!< total ground area per plant [m2]
     //! The full-grown plant, if `plant` has another age.
     std::optional<Plant> full_grown{};
+    //! The full-grown plant at the reference density of its crop, if plants
+    //! respond to density. It is compared with measured lines.
+    std::optional<Plant> at_reference{};
     //! The area of each leaf that was built during the period of the light [m2
     //! per plant], if plants grow. Empty: all leaf area, built in the number of
     //! days that `photosynthesis` specifies.

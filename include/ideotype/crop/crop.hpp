@@ -30,6 +30,10 @@ struct Trait {
     std::string unit;                   //!< unit of its numbers; "1": a factor
     Range range;                        //!< range of each number
     bool is_circular = false;  //!< whether range ends meet, as angles do
+    //! Whether its numbers are the slopes of a reaction norm, see
+    //! DensityResponse, so that the trait acts at other densities than the
+    //! reference.
+    bool is_slope = false;
     //! Whether campaigns without an explicit set of traits optimise this trait.
     bool is_bred = true;
 };
@@ -68,8 +72,10 @@ struct TraitNumber {
 //! and profiles in the order of the traits.
 std::vector<TraitNumber> trait_numbers(const Crop& crop);
 
-//! Returns the trait values of the baseline: the measure for a trait that sets
-//! it, 1 for a trait that scales and 0 for a trait that shifts measures.
+//! Returns the trait values that leave the baseline unchanged: 1 for a trait
+//! that scales measures, 0 for a trait that shifts measures and for slopes of
+//! reaction norms, and the baseline's own measure for a trait that sets a
+//! measure.
 std::vector<double> baseline_numbers(const Crop& crop);
 
 //! Returns the baseline with these trait values. Traits are applied in order; a

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "ideotype/core/mesh.hpp"
+#include "ideotype/crop/plasticity.hpp"
 
 namespace ideotype {
 
@@ -148,6 +149,7 @@ struct Plant {
     Sheath sheath;
     std::vector<Organ> organs;
     Petiole petiole{};
+    Plasticity plasticity{};
 };
 
 //! Name of the group of dead parts of leaves.

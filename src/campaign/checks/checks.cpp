@@ -143,13 +143,15 @@ void check_positions(const Spec& spec, const Problems& problems) {
 
 //! Warns if the leaf area index of the baseline is unrealistic.
 void check_leaf_area(const Spec& spec, const Problems& problems) {
-    const double area = plant_area(build_plant(spec.plant.crop.baseline,
-                                               spec.plant.tessellation))
-                            .leaves;
+    Plant baseline = spec.plant.crop.baseline;
+    if (!spec.plant.is_plastic) baseline.plasticity = {};
     for (std::size_t i = 0; i < spec.spacings.size(); ++i) {
         const Spacing& spacing = spec.spacings[i].value;
+        const double density = spacing.plants_per_area();
+        const Mesh body =
+            build_plant(respond(baseline, density), spec.plant.tessellation);
         const std::string doubt =
-            doubt_of_lai(area / (spacing.row * spacing.plant));
+            doubt_of_lai(plant_area(body).leaves * density);
         problems.in("spacing", i)
             .doubt({"row"}, !doubt.empty(),
                    "spacing.row is {} m (with {} m between plants the baseline "
@@ -250,6 +252,7 @@ BaselineDoubts check_spec(const Spec& spec, const Problems& problems) {
     check_growing(spec, problems);
     check_stand(spec, problems);
     if (spec.plant.crop.is_known) check_faces(spec, problems);
+    doubt_densities(spec, problems);
     check_light(spec.light, asks_for_assimilation(spec), problems.in("light"));
     check_search(spec, problems);
     check_sensitivity(spec, problems);

@@ -29,6 +29,13 @@ void check_stand(const Spec& spec, const Problems& problems);
 //! Checks the values of a crop file against each other.
 void check_plant(const CropSpec& crop, const Problems& problems);
 
+//! Checks the responses of a crop to density.
+//! @param problems problems of the crop
+void check_plasticity(const CropSpec& crop, const Problems& problems);
+
+//! Warns of spacings with densities for which responses of crops are not known.
+void doubt_densities(const Spec& spec, const Problems& problems);
+
 //! Checks the traits of a crop file, and their bounds under each rule.
 void check_traits(const CropSpec& crop, const Problems& problems);
 

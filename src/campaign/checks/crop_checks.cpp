@@ -195,6 +195,7 @@ void check_plant(const CropSpec& crop, const Problems& problems) {
     check_leaves(plant, problems);
     check_organs(plant, problems);
     check_growth(crop, problems.in("growth"));
+    check_plasticity(crop, problems);
     check_traits(crop, problems);
 }
 

@@ -37,6 +37,16 @@ class TraitCheck {
         rule(sets() && trait_.numbers == TraitNumbers::profile,
              "sets a measure by a profile (the baseline need not be one); "
              "scale or shift it");
+        problems_.rule({"over_density", list_key()}, trait_.is_slope && sets(),
+                       "trait {} sets a measure over density (a slope can only "
+                       "scale or shift it); scale or shift it",
+                       trait_.name);
+        problems_.rule(
+            {"over_density"},
+            trait_.is_slope && !(plant_.plasticity.reference > 0),
+            "trait {} is a slope over density (the crop file has no density "
+            "at which it has no effect); give [plasticity] with reference",
+            trait_.name);
         if (!problems_.usable({list_key()})) return;
         for (const std::string& name : list_)
             if (const auto measure = find_measure(plant_, name))
@@ -44,7 +54,8 @@ class TraitCheck {
             else
                 report_unknown(name);
         problems_.rule({"range"},
-                       trait_.effect == TraitEffect::scales && lower < 0,
+                       trait_.effect == TraitEffect::scales &&
+                           !trait_.is_slope && lower < 0,
                        "trait {} has the range {} .. {} (a factor below 0 "
                        "reverses a measure); begin at 0 or more",
                        trait_.name, lower, upper);

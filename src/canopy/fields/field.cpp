@@ -36,6 +36,17 @@ std::size_t number_of(double fraction, std::size_t count,
                                     stream.uniform());
 }
 
+//! Turns planes of leaves towards the widest gap between plants. The plane of a
+//! plant that is not rotated is across the row.
+std::vector<double> towards_gap(std::vector<double> turns,
+                                const Component& component) {
+    if (component.turn == 0) return turns;
+    const double gap = component.is_gap_along_row ? 90 : 0;
+    for (double& turn : turns)
+        turn -= component.turn * std::remainder(turn - gap, 180);
+    return turns;
+}
+
 }  // namespace
 
 std::vector<double> draw_plant_azimuths(const Component& component,
@@ -48,7 +59,7 @@ std::vector<double> draw_plant_azimuths(const Component& component,
     if (!across) {
         for (double& turn : turns)
             turn = stream.uniform(-component.jitter, component.jitter);
-        return turns;
+        return towards_gap(std::move(turns), component);
     }
     // Both ranges are divided into equal parts with one plant in each part.
     const std::size_t crossing =
@@ -62,7 +73,7 @@ std::vector<double> draw_plant_azimuths(const Component& component,
             (is_across ? 0 : 90) - 45 + 90 * (part + stream.uniform()) / parts;
     }
     shuffle(turns, stream);
-    return turns;
+    return towards_gap(std::move(turns), component);
 }
 
 namespace {

@@ -114,14 +114,21 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const std::string& isa) {
     const Device device(isa);
     std::vector<Study> results;
-    for (const Case& scenario : evaluated_cases(chosen)) {
+    const std::vector<Case> cases = evaluated_cases(chosen);
+    LightCue cue(campaign, cases);
+    cue.prepare(device);
+    LightCue::Response response(cue);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const Case& scenario = cases[i];
         CanopyRequest request =
             request_of(sampling_of(task, campaign, scenario), campaign,
                        scenario, scene_of(campaign, scenario), plants);
+        response.set_plants(i, plants, request.scene);
         request.details.sunlit = true;
         const double began = now();
         CanopyReport report = evaluate(request, device, {}, available_cores());
         const double seconds = now() - began;
+        response.observe(i, request.scene, report);
         std::vector<Measured> objectives = objectives_of(report, campaign);
         results.push_back({scenario, std::move(report), std::move(objectives),
                            seconds,
@@ -186,7 +193,8 @@ Outcome outcome_of(const Campaign& campaign, const Case& chosen,
                    const Plant& plant, const std::vector<Study>& studies) {
     std::vector<Outcome> outcomes;
     for (const Study& study : studies)
-        outcomes.push_back(to_outcome(campaign, plant, study.report));
+        outcomes.push_back(
+            to_outcome(campaign, study.scenario, plant, study.report));
     return AcrossScenarios(campaign, chosen).combine(outcomes);
 }
 

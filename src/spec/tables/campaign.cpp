@@ -113,6 +113,7 @@ constexpr Key plant_keys[] = {
     key<&PlantSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of the crop file"), usual(), "bounds of traits: a rule of the crop file, \"traits\" for the ranges of its traits, or values in [plant.bounds]").written_if<PlantSpec, has_rule>(),
     key<&PlantSpec::organs>("organs", from_file(Names::organs, "of \"stalk\", \"sheath\", \"petiole\" and the crop file's [[organ]] tables"), by("those that the crop file has present"), "organs of plants in addition to leaves"),
     key<&PlantSpec::stage>("stage", within(0, 2), usual(), "development stage of plants that do not grow, silking at 1 and maturity at 2: their leaves have the capacity of that age by growth.ageing of the crop; it has no other effect").quiet(),
+    key<&PlantSpec::is_plastic>("plasticity", any_value, usual(), "false if plants have the measures of their crop files at any density, without the responses of [[response]]; optimised reaction norms act in any case").quiet(),
     key<&PlantSpec::tessellation, &Tessellation::cells_along>("cells_along", within(4, 200), usual(), "number of faces along a leaf, with two across; leaflets have two thirds as many, with four across").trades({6, 8, 12, 16, 24}),
     key<&PlantSpec::tessellation, &Tessellation::stalk_sides>("stalk_sides", within(3, 100), usual(), "number of faces around stalks and sheaths").trades<PlantSpec, has_organs>({3, 6, 12}),
 };

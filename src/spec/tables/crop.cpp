@@ -14,6 +14,10 @@ inline constexpr std::array enum_names<TraitNumbers>{
     EnumName{"plant", TraitNumbers::plant},
     EnumName{"profile", TraitNumbers::profile}};
 
+template <>
+inline constexpr std::array enum_names<Cue>{EnumName{"density", Cue::density},
+                                            EnumName{"light", Cue::light}};
+
 namespace {
 
 //! A text as an argument of a template.
@@ -69,8 +73,20 @@ bool has_leaflets(const Blade& blade) {
 bool has_height(const Leaf& leaf) {
     return leaf.internode == 0;
 }
+bool follows_light(const Plasticity& plasticity) {
+    return plasticity.cue == Cue::light;
+}
+bool turns(const Plasticity& plasticity) {
+    return plasticity.turn > 0;
+}
+bool has_densities(const DensityResponse& response) {
+    return response.densities.lower < response.densities.upper;
+}
 bool has_petioles(const CropSpec& crop) {
     return has_petioles(crop.baseline);
+}
+bool states_plasticity(const CropSpec& crop) {
+    return crop.baseline.plasticity.reference > 0;
 }
 bool states_leaves(const CropSpec& crop) {
     return !crop.leaf_files.empty();
@@ -174,6 +190,21 @@ constexpr Key organ_keys[] = {
     key<&Organ::senescence>("senescence", within(0, 5000, "deg C d"), usual(), "thermal time from silking to its death, where plants grow: a dead organ has the optics of the stalk and does not assimilate; 0: it stays green").quiet(),
 };
 
+constexpr Key plasticity_keys[] = {
+    key<&Plasticity::reference>("reference", within(0, 1000, "m-2"), usual("7"), "density at which plants have the measures of this file; 0: not known, so that plants are the same at any density"),
+    key<&Plasticity::cue>("cue", any_value, usual(), "what responses follow: \"density\" of the rows, or, where plants grow, the \"light\" on young leaves, as the density at which they would have it in a stand of this crop alone").quiet(),
+    key<&Plasticity::rows>("rows", metres(0.1, 10), usual(), "distance of rows in that stand").written_if<Plasticity, follows_light>(),
+    key<&Plasticity::turning>("turning", within(0, 1000, "m-2"), by("none", "[4.5, 9]"), "densities at which planes of leaves begin to turn towards the widest gap between plants, and at which they have turned by `turn`; linear in the logarithm of density in between").written_if<Plasticity, turns>(),
+    key<&Plasticity::turn>("turn", within(0, 1), usual("0.5"), "turn of planes of leaves, relative to their angle from the direction of that gap").written_if<Plasticity, turns>(),
+};
+
+constexpr Key response_keys[] = {
+    key<&DensityResponse::scales>("scales", words("measures of the plant"), usual("[\"leaf.length\"]"), "measures that are multiplied by d^slope, with d the density relative to plasticity.reference").quiet(),
+    key<&DensityResponse::shifts>("shifts", words("measures of the plant"), usual("[\"leaf.insertion_angle\"]"), "measures to which slope x ln(d) is added").quiet(),
+    key<&DensityResponse::slopes>("slope", number_or_list(-90, 90), required("[0.1, 0, -0.1]"), "slope over leaf position, at equal distances from the lowest leaf to the highest, in the unit of shifted measures"),
+    key<&DensityResponse::densities>("densities", within(0, 1000, "m-2"), by("any", "[4.5, 15]"), "densities for which the response is known; outside, measures keep their value at the nearest of them").written_if<DensityResponse, has_densities>(),
+};
+
 constexpr Key trait_keys[] = {
     key<&TraitEntry::trait, &Trait::name>("name", name_text, required("\"length\""), "name of the trait"),
     key<&TraitEntry::trait, &Trait::numbers>("per", any_value, usual(), "number of values: one for each leaf, one for the whole plant, or the points of a smooth curve over leaf position"),
@@ -184,6 +215,7 @@ constexpr Key trait_keys[] = {
     key<&TraitEntry::trait, &Trait::unit>("unit", texts("m", "deg", "1"), required("\"m\""), "unit of the value: that of the measures, or \"1\" of a factor"),
     key<&TraitEntry::trait, &Trait::range>("range", within(-1000, 1000), required("[0.4, 1.1]"), "range of the values that searches may reach"),
     key<&TraitEntry::trait, &Trait::is_circular>("circular", any_value, usual(), "true if both ends of the range are the same direction"),
+    key<&TraitEntry::trait, &Trait::is_slope>("over_density", any_value, usual(), "true if the values are slopes over the logarithm of density, as those of [[response]]: a reaction norm. The trait then has no effect at plasticity.reference").quiet(),
     key<&TraitEntry::trait, &Trait::is_bred>("bred", any_value, usual(), "true if campaigns without trait sets search the trait"),
 };
 
@@ -215,6 +247,10 @@ constinit const Description petiole_table =
 constinit const Description blade_table = of_crop<Blade>("blade", blade_keys);
 constinit const Description growth_table =
     of_crop<Growth>("growth", growth_keys);
+constinit const Description plasticity_table =
+    of_crop<Plasticity>("plasticity", plasticity_keys);
+constinit const Description response_table =
+    of_crop<DensityResponse>("response", response_keys);
 constinit const Description leaf_table = of_crop<Leaf>("leaf", leaf_keys);
 constinit const Description organ_table = of_crop<Organ>("organ", organ_keys);
 constinit const Description trait_table =
@@ -238,6 +274,16 @@ constexpr Table crop_parts[] = {
         .variable()
         .optional()
         .at_most(most_organs),
+    table<&CropSpec::baseline, &Plant::plasticity>("plasticity",
+                                                   plasticity_table)
+        .variable()
+        .optional()
+        .written_if<CropSpec, states_plasticity>(),
+    table<&CropSpec::baseline, &Plant::plasticity, &Plasticity::responses>(
+        "response", response_table)
+        .variable()
+        .optional()
+        .at_most(most_responses),
     table<&CropSpec::traits>("trait", trait_table).at_most(most_traits),
     table<&CropSpec::bounds>("bounds", bounds_table).optional()};
 

@@ -3,6 +3,7 @@
 #include "campaign/campaign.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/physiology/energy_balance.hpp"
+#include "ideotype/physiology/soil_water.hpp"
 
 namespace ideotype::python {
 
@@ -114,6 +115,31 @@ Output<double> energy_balances(const Input<double, 2>& points, bool is_c3) {
     return to_array(values, {points.shape(0), quantities});
 }
 
+//! @param soil field capacity, wilting point, total and readily evaporable
+//! water, depletion fraction
+//! @param initial depletion of the root zone and of the evaporable layer
+//! @param days [day, column], columns in the order of SoilDay
+//! @returns [day, quantity]: transpiration, evaporation, drainage and both
+//! depletions at the end of the day
+Output<double> soil_water_balance(const Input<double, 1>& soil,
+                                  const Input<double, 1>& initial,
+                                  const Input<double, 2>& days) {
+    constexpr std::size_t quantities = 5, columns = 5;
+    const double* s = soil.data();
+    const Soil column{s[0], s[1], s[2], s[3], s[4]};
+    SoilWater water{initial.data()[0], initial.data()[1]};
+    std::vector<double> values;
+    for (std::size_t i = 0; i < days.shape(0); ++i) {
+        const double* x = days.data() + i * columns;
+        const SoilFluxes out =
+            pass_day(column, {x[0], x[1], x[2], x[3], x[4]}, water);
+        values.insert(values.end(),
+                      {out.transpiration, out.evaporation, out.drainage,
+                       water.depletion, water.evaporable_depletion});
+    }
+    return to_array(values, {days.shape(0), quantities});
+}
+
 }  // namespace
 
 void bind_growth(nb::module_& module) {
@@ -138,6 +164,7 @@ void bind_growth(nb::module_& module) {
 
 void bind_energy(nb::module_& module) {
     module.def("energy_balances", &energy_balances);
+    module.def("soil_water_balance", &soil_water_balance);
 }
 
 }  // namespace ideotype::python

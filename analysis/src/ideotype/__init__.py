@@ -34,7 +34,12 @@ if TYPE_CHECKING:
     from .mesh.canopy import Canopy
     from .mesh.geometry import Mesh
     from .search import Search
-    from .stand import Crop, Stand, leaf_energy_balance
+    from .stand import (
+        Crop,
+        Stand,
+        leaf_energy_balance,
+        soil_water_balance,
+    )
 
 __all__ = [
     "Canopy",
@@ -56,6 +61,7 @@ __all__ = [
     "open_study",
     "report",
     "search",
+    "soil_water_balance",
     "stand",
     "tools",
     "validation",
@@ -74,6 +80,7 @@ _SOURCES = {
     "open": (".history", "open_arrays"),
     "open_history": (".history", "open_history"),
     "open_study": (".history", "open_study"),
+    "soil_water_balance": (".stand", "soil_water_balance"),
 }
 _PACKAGES = [
     "figures",

@@ -5,6 +5,7 @@ from .comparison import Comparison, Quantity
 from .crop import Crop
 from .energy import leaf_energy_balance
 from .evaluated import Evaluated
+from .soil import soil_water_balance
 from .stand import Stand
 
 __all__ = [
@@ -14,4 +15,5 @@ __all__ = [
     "Quantity",
     "Stand",
     "leaf_energy_balance",
+    "soil_water_balance",
 ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# shellcheck disable=SC2034,SC2154  # its variables are those of what sources it
+# shellcheck disable=SC2034,SC2154  # shared with the script that sources it
 # Functions of the batch scripts; sourced with `here` the folder slurm.
 # run_until_complete CAMPAIGN OUT [CASE] is one start of a job: it resumes
 # existing histories, drains before the time limit, and requeues the job as long

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# shellcheck disable=SC2034,SC2154  # its variables are those of what sources it
+# shellcheck disable=SC2034,SC2154  # shared with the script that sources it
 # Sourced by slurm/submit and by slurm/job.sh, with `here` the folder slurm.
 # Sets the options of the site, and the path of the program `ideotype`.
 

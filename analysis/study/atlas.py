@@ -13,7 +13,7 @@ random numbers. A "?" marks a leader that was evaluated only once in the search.
 from __future__ import annotations
 
 import matplotlib
-from estimates import print_table, told
+from estimates import plus_minus, print_table
 from shared import (
     ROUGH,
     breed_tables,
@@ -40,7 +40,7 @@ def table_of(atlas: Atlas) -> tuple[list[str], list[list[str]]]:
             float(leaders.objectives_standard_error[i, 0]),
         )
         mark = "" if atlas.is_confirmed[i] else " ?"
-        cells[y][x] = told(one, 3) + mark
+        cells[y][x] = plus_minus(one, 3) + mark
     titles = [f"top [deg] / {across.name}", *across.spans()]
     rows = [[span, *row] for span, row in zip(up.spans(), cells, strict=True)]
     return titles, rows[::-1]
@@ -63,7 +63,8 @@ def main() -> None:
             f"{atlas.is_confirmed.sum()} leaders are confirmed; the median one "
             f"was evaluated {int(sorted(atlas.looks)[len(atlas.looks) // 2])} "
             f"times in the search of {len(history.evaluations())} evaluations."
-            f"\nThe best has {told((best.gain.mean, best.gain.standard_error))}"
+            "\nThe best has "
+            f"{plus_minus((best.gain.mean, best.gain.standard_error))}"
             " % more than the baseline.\n"
         )
         print_table(*table_of(atlas))

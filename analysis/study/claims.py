@@ -29,8 +29,8 @@ from estimates import (
     gain,
     has_percent,
     mean_over_seeds,
+    plus_minus,
     print_table,
-    told,
 )
 from paper_table import bred
 from shared import (
@@ -111,11 +111,11 @@ def best(set_up: SetUp, where: Condition) -> list[Numbers]:
 
 
 def cell(values: list[Estimate]) -> str:
-    return told(mean_over_seeds(values), sign="+")
+    return plus_minus(mean_over_seeds(values), sign="+")
 
 
 def mol(values: list[Estimate]) -> str:
-    return f"{told(mean_over_seeds(values), 3, '+')} mol"
+    return f"{plus_minus(mean_over_seeds(values), 3, '+')} mol"
 
 
 def gain_with(name: str) -> Callable[[SetUp], str]:

@@ -149,10 +149,12 @@ def main() -> None:
     for plant in options.plants:
         title, _, path = plant.rpartition("=")
         shown[title or Path(path).stem] = grown(Path(path), row, step)
-    told = [x for each in shown.values() for x in each.light if x is not None]
+    lights = [
+        x for each in shown.values() for x in each.light if x is not None
+    ]
     # The scale excludes the brightest 2 % of faces, which would make all
     # others dark.
-    brightest = float(np.quantile(told, 0.98))
+    brightest = float(np.quantile(lights, 0.98))
 
     figure = new_figure(4.3 * len(shown), 6.4)
     grid = figure.subplots(2, len(shown), squeeze=False)

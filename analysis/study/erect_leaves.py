@@ -18,7 +18,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from estimates import Estimate, gain, print_table, told
+from estimates import Estimate, gain, plus_minus, print_table
 from shared import (
     CAMPAIGNS,
     MAIZE,
@@ -117,7 +117,7 @@ def main() -> None:
         for density in options.densities
     ]
     rows = [
-        [name, *(told(x, sign="+") for x in each)]
+        [name, *(plus_minus(x, sign="+") for x in each)]
         for name, each in zip(
             VARIANTS, zip(*columns, strict=True), strict=True
         )

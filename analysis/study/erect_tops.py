@@ -43,9 +43,9 @@ from estimates import (
     half_interval,
     has_percent,
     mean_over_seeds,
+    plus_minus,
     print_table,
     sign_change,
-    told,
 )
 from shared import (
     MAIZE,
@@ -106,10 +106,10 @@ class Gains:
     def is_positive(self) -> bool:
         return mean_over_seeds(self.differences)[0] > 0
 
-    def told(self) -> str:
+    def text(self) -> str:
         if self.percents:
-            return told(mean_over_seeds(self.percents), sign="+")
-        return f"{told(mean_over_seeds(self.differences), 3, '+')} mol"
+            return plus_minus(mean_over_seeds(self.percents), sign="+")
+        return f"{plus_minus(mean_over_seeds(self.differences), 3, '+')} mol"
 
 
 def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
@@ -232,8 +232,8 @@ def tell(results: dict[Condition, Gains], densities: Sequence[float]) -> None:
     }
     rows = []
     for key in sorted({(x.light, x.limit, x.latitude) for x in results}):
-        cells = [results[Condition(*key, x)].told() for x in densities]
-        pays = f"{told(lines[key])} m-2" if key in lines else ""
+        cells = [results[Condition(*key, x)].text() for x in densities]
+        pays = f"{plus_minus(lines[key])} m-2" if key in lines else ""
         rows.append([key[0], key[1], f"{key[2]:g}", *cells, pays])
     titles = [f"{density:g} m-2" for density in densities]
     print_table(["light", "limit", "latitude", *titles, "pays from"], rows)

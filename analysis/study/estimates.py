@@ -83,7 +83,7 @@ def half_interval(error: float) -> float:
     return NORMAL * error
 
 
-def told(value: Estimate, digits: int = 1, sign: str = "") -> str:
+def plus_minus(value: Estimate, digits: int = 1, sign: str = "") -> str:
     """Formats a mean and half of its 95 % interval; with the sign "+" for
     gains."""
     mean, error = value

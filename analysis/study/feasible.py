@@ -18,7 +18,7 @@ import tomllib
 from typing import Any
 
 import numpy as np
-from estimates import gain, print_table, told
+from estimates import gain, plus_minus, print_table
 from fields import DAY, SEASON
 from shared import (
     BREEDABLE,
@@ -83,7 +83,7 @@ def main() -> None:
                     f"{title} [{unit}]",
                     limit,
                     *(f"{each.mean():.4g}" for each in values),
-                    told(gain(*values.tolist()), 2, "+"),
+                    plus_minus(gain(*values.tolist()), 2, "+"),
                     *(
                         " -> ".join(f"{x:.2f}" for x in found[name].values)
                         for name in QUANTITIES

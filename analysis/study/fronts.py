@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 from climates import bondville, dry_month, growth, season
 from draw_plants import draw as draw_plant
-from estimates import estimate, gain, half_interval, print_table, told
+from estimates import estimate, gain, half_interval, plus_minus, print_table
 from front_members import BALANCE, LEAVES, WATER, Found, Price
 from matplotlib.axes import Axes
 from shared import (
@@ -158,7 +158,7 @@ def tell_ends(found: Found) -> None:
     for name, plants in ends.items():
         for plant in plants:
             paid, more = (
-                told(over_baseline(values, plant), 1, "+")
+                plus_minus(over_baseline(values, plant), 1, "+")
                 for values in (found.paid_by_randomisation, found.carbon)
             )
             print(
@@ -173,11 +173,11 @@ def leaf_row(found: Found, plant: int, before: int | None) -> list[str]:
     if before is not None:
         step = lai - found.lai[before]
         steps = (carbon - found.carbon[before]) / step
-        more = told(estimate(steps.tolist()), 3, "+")
+        more = plus_minus(estimate(steps.tolist()), 3, "+")
     return [
         f"{lai:.2f}",
-        told(estimate(carbon.tolist()), 3),
-        told(estimate((carbon / lai).tolist()), 3),
+        plus_minus(estimate(carbon.tolist()), 3),
+        plus_minus(estimate((carbon / lai).tolist()), 3),
         more,
         *angles(found, plant),
     ]
@@ -186,16 +186,19 @@ def leaf_row(found: Found, plant: int, before: int | None) -> list[str]:
 def water_row(found: Found, plant: int, _: int | None) -> list[str]:
     water, carbon = found.paid_by_randomisation, found.carbon
     more = [
-        told(over_baseline(each, plant), 1, "+")
+        plus_minus(over_baseline(each, plant), 1, "+")
         if plant < len(each) - 1
         else ""
         for each in (water, carbon)
     ]
     per_water = CARBON * carbon[plant] / water[plant]
     return [
-        *(told(estimate(water[plant].tolist()), 2), more[0]),
-        *(told(estimate(carbon[plant].tolist()), 3), more[1]),
-        *(told(estimate(per_water.tolist()), 2), f"{found.lai[plant]:.2f}"),
+        *(plus_minus(estimate(water[plant].tolist()), 2), more[0]),
+        *(plus_minus(estimate(carbon[plant].tolist()), 3), more[1]),
+        *(
+            plus_minus(estimate(per_water.tolist()), 2),
+            f"{found.lai[plant]:.2f}",
+        ),
         *angles(found, plant),
     ]
 

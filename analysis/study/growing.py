@@ -30,7 +30,7 @@ from typing import Any
 import numpy as np
 from climates import growing_season
 from draw_plants import draw
-from estimates import print_table, sign_change, told
+from estimates import plus_minus, print_table, sign_change
 from shared import HYBRID, gain_in, guard
 
 from ideotype import Crop, Stand
@@ -191,7 +191,8 @@ def main() -> None:
         [[str(n), f"{e:.2f}"] for n, e in errors.items()],
     )
     print(
-        f"\ncost at equal error over {FULL}: {told(cost(2 if rough else 24), 2)}\n"
+        f"\ncost at equal error over {FULL}: "
+        f"{plus_minus(cost(2 if rough else 24), 2)}\n"
     )
     for name, value in carbon(paths):
         print(f"{name:34} {value:10.4g}")
@@ -203,7 +204,7 @@ def main() -> None:
         [
             [
                 *(f"{x:.2f}" for x in row[:2]),
-                *(told((row[i], row[i + 1]), 2) for i in (2, 4)),
+                *(plus_minus((row[i], row[i + 1]), 2) for i in (2, 4)),
             ]
             for row in rows
         ],
@@ -212,7 +213,7 @@ def main() -> None:
         points = [(row[1], (row[column], row[column + 1])) for row in rows]
         for low, high in pairwise(points):
             if low[1][0] < 0 < high[1][0]:
-                at = told(sign_change(low, high), 2)
+                at = plus_minus(sign_change(low, high), 2)
                 print(f"{name}: pays from a leaf area index of {at} on")
     if options.figure:
         options.figure.mkdir(parents=True, exist_ok=True)

@@ -38,9 +38,9 @@ from estimates import (
     half_interval,
     interval_of,
     mean_over_seeds,
+    plus_minus,
     print_table,
     sign_change,
-    told,
 )
 from growing import of_full_canopy, tables
 from measured_seasons import compare_dry_matter, compare_parts
@@ -165,7 +165,7 @@ def tops(options: Options) -> None:
         for area, error in crossings:
             print(
                 f"With {way} an erect top pays from a leaf area index of "
-                f"{told((area, error), 2)} (95 %) on."
+                f"{plus_minus((area, error), 2)} (95 %) on."
             )
         if not crossings:
             print(f"With {way} the gain does not change its sign here.")
@@ -243,7 +243,7 @@ def best_plants(options: Options) -> None:
         rows.append(
             [
                 way,
-                *(told(x, sign="+") for x in gains),
+                *(plus_minus(x, sign="+") for x in gains),
                 interval_of(apart),
             ]
         )

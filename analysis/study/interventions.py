@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 from climates import growth
-from estimates import Estimate, interval_of, print_table, told
+from estimates import Estimate, interval_of, plus_minus, print_table
 from shared import (
     BREEDABLE,
     ROUGH,
@@ -119,7 +119,8 @@ def cells(found: Split) -> list[str]:
     variants."""
     unit = "" if found.unit == "%" else f" {found.unit.partition(' ')[0]}"
     return [
-        told(pair_of(x), 2, "+") + unit for x in (*found.gains, *found.parts)
+        plus_minus(pair_of(x), 2, "+") + unit
+        for x in (*found.gains, *found.parts)
     ]
 
 
@@ -214,7 +215,7 @@ def print_best(stands: Stands, plants: Sequence[Numbers]) -> None:
     genes = stands[0][1].genes
     heights = [plant[genes.trait == "height"][0] for plant in plants]
     rows = [
-        [str(seed), f"x {height:.2f}", *(told(x, 1, "+") for x in row)]
+        [str(seed), f"x {height:.2f}", *(plus_minus(x, 1, "+") for x in row)]
         for seed, (height, row) in enumerate(
             zip(heights, zip(*columns.values(), strict=True), strict=True), 1
         )

@@ -36,7 +36,7 @@ from blade_shapes import (
     blade,
     half_widths,
 )  # fmt: skip
-from estimates import estimate, told
+from estimates import estimate, plus_minus
 from shared import CAMPAIGNS, Numbers, best, breed, guard, parser_of
 
 import ideotype
@@ -136,7 +136,7 @@ def leaf_light(mesh: Mesh, options: argparse.Namespace) -> list[float]:
 
 
 def text_of(values: list[float]) -> str:
-    return told(estimate(values), 2, "+")
+    return plus_minus(estimate(values), 2, "+")
 
 
 def changes(after: list[float], before: list[float]) -> list[float]:

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from estimates import estimate, print_table, told
+from estimates import estimate, plus_minus, print_table
 from shared import CAMPAIGNS, Numbers
 
 from ideotype import Stand
@@ -220,7 +220,7 @@ def compare_dry_matter(
             )
             row = [name, f"{measured:.1f}" if measured == measured else ""]
             for values in (x[name] for x in columns):
-                row.append(told(values, 2))
+                row.append(plus_minus(values, 2))
                 row.append(
                     f"{100 * (values[0] / measured - 1):+.0f}"
                     if measured == measured
@@ -299,7 +299,7 @@ def compare_parts(plain: dict[str, Any], seeds: int, folder: Path) -> None:
         for season, first in zip(SEASONS, before, strict=True):
             pairs = zip(harvest(campaign, season), first, strict=True)
             change = estimate([100 * (x / y - 1) for x, y in pairs])
-            row.append(told(change, 1, "+"))
+            row.append(plus_minus(change, 1, "+"))
         rows.append(row)
     titles = [f"dry matter, {x.name} [%]" for x in SEASONS]
     print_table(["changed", *titles], rows)

@@ -23,7 +23,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from estimates import Estimate, estimate, print_table, told
+from estimates import Estimate, estimate, plus_minus, print_table
 from fields import AREAS, SEASON, Field, measure_all
 from plant_shapes import IOWA, THIRDS, field_of, measured, shape_of
 from scipy.stats import t
@@ -78,7 +78,10 @@ def inclination(options: argparse.Namespace) -> None:
     print_table(
         ["inclination of leaf surfaces [deg]", "all", *THIRDS],
         [
-            [name, *(told(wide(x[~np.isnan(x)].tolist())) for x in each.T)]
+            [
+                name,
+                *(plus_minus(wide(x[~np.isnan(x)].tolist())) for x in each.T),
+            ]
             for name, each in rows
         ],
     )
@@ -111,7 +114,7 @@ def extinction(options: argparse.Namespace) -> None:
     for stand in stands:
         for position, deviation in POSITIONS.items():
             each = [found[fields[stand, position, light]] for light in lights]
-            cells = [told(x["k"], 3) for x in each]
+            cells = [plus_minus(x["k"], 3) for x in each]
             rows.append([stand, deviation, f"{each[0]['lai'][0]:.2f}", *cells])
     print_table(
         [

@@ -38,9 +38,9 @@ from estimates import (
     half_interval,
     interval_of,
     mean_over_seeds,
+    plus_minus,
     print_table,
     ratio,
-    told,
 )
 from shared import (
     CAMPAIGNS,
@@ -173,7 +173,7 @@ def strips(options: Options) -> None:
         means = [mean_over_seeds(x) for x in zip(*by_seed, strict=True)]
         gains = gains_over_baseline(stand, genomes)
         more = "" if name == "the baseline" else interval_of(gains)
-        rows.append([name, *(told(x, 3) for x in means), more])
+        rows.append([name, *(plus_minus(x, 3) for x in means), more])
     titles = ["maize bred for", "land equivalent ratio", "maize", "soybean"]
     print_table([*titles, "ratio over the baseline's"], rows)
 

@@ -19,7 +19,7 @@ import re
 from pathlib import Path
 
 import numpy as np
-from estimates import Estimate, gain, mean_over_seeds, told
+from estimates import Estimate, gain, mean_over_seeds, plus_minus
 from shared import (
     CAMPAIGNS,
     Numbers,
@@ -125,14 +125,14 @@ def main() -> None:
         exact = [*settings(name), "final.paths=131072"]
         is_maize = crop == "crops/maize.toml"
         own = gains(same, QUICK, exact) if is_maize else []
-        cells.append(", ".join(told(x, 2) for x in own))
+        cells.append(", ".join(plus_minus(x, 2) for x in own))
         for campaign in campaigns:
             for traits in options.traits:
                 plants = bred(
                     campaign, name, traits, options.seeds, options.folder
                 )
                 own = gains(plants, campaign, settings(name, traits))
-                cells.append(told(mean_over_seeds(own), 2))
+                cells.append(plus_minus(mean_over_seeds(own), 2))
         print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
 
 

@@ -34,7 +34,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from estimates import Estimate, print_table, told
+from estimates import Estimate, plus_minus, print_table
 from panels_crops import bred, jackknife, trial
 from pvlib import solarposition
 from shared import (
@@ -192,7 +192,7 @@ def cost(options: Options) -> None:
                 sky,
                 *(f"{1e3 * x[:, 0].mean():.0f}" for x in both),
                 *(f"{100 * math.sqrt(x[:, 1].mean()):.2f}" for x in both),
-                told((mean, error), 2),
+                plus_minus((mean, error), 2),
             ]
         )
     print_table(

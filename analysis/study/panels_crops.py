@@ -20,8 +20,8 @@ from estimates import (
     gain,
     interval_of,
     mean_over_seeds,
+    plus_minus,
     print_table,
-    told,
 )
 from panels_front import front, tables_of
 from shared import FIELD_PLANTS, MAIZE, Numbers, best_plants, light
@@ -156,7 +156,7 @@ def carbon_and_net(stand: Stand) -> Numbers:
 
 def tell_gain(x: Estimate) -> str:
     """Formats a gain with its 95 % interval."""
-    return told(x, sign="+")
+    return plus_minus(x, sign="+")
 
 
 def less(open_: Numbers, below: Numbers, *of_baseline: Numbers) -> float:
@@ -209,7 +209,9 @@ def bred(options: Options) -> None:
         for place in places:
             found = values[plant, place]
             row.append(
-                told(mean_over_seeds([estimate(x.tolist()) for x in found]), 3)
+                plus_minus(
+                    mean_over_seeds([estimate(x.tolist()) for x in found]), 3
+                )
             )
         areas = stands["the open"].evaluate(np.array(genomes), ["lai"]).lai
         rows.append([*row, ", ".join(f"{x:.1f}" for x in areas.values)])

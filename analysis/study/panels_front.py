@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from estimates import print_table, told
+from estimates import plus_minus, print_table
 from pvlib import pvsystem, temperature
 from shared import (
     ROUGH,
@@ -95,9 +95,11 @@ def front(options: Options, alone: float) -> None:
         [
             [
                 f"{8 * row[i]:.1f}", f"{height[i]:.1f}",
-                told((crop[i], error[i]), 3), f"{power[i]:.3f}",
+                plus_minus((crop[i], error[i]), 3), f"{power[i]:.3f}",
                 f"{crop[i] / alone:.3f}", f"{power[i] / most:.3f}",
-                told((crop[i] / alone + power[i] / most, error[i] / alone), 3),
+                plus_minus(
+                    (crop[i] / alone + power[i] / most, error[i] / alone), 3
+                ),
             ]
             for i in shown
         ],

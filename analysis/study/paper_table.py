@@ -51,8 +51,8 @@ from estimates import (
     half_interval,
     has_percent,
     mean_over_seeds,
+    plus_minus,
     print_table,
-    told,
 )
 from libraries import LIBRARIES
 from searches import best_until
@@ -243,22 +243,25 @@ def find(
 
 
 def over_seeds(values: list[Estimate]) -> str:
-    return told(mean_over_seeds(values))
+    return plus_minus(mean_over_seeds(values))
 
 
 def row(where: Condition, found: Found, unit: str) -> list[str]:
+    symbol = unit.partition(" ")[0]
     changes = (
         over_seeds(each)
         if found.has_percent
-        else f"{told(mean_over_seeds(each), 3, '+')} {unit.partition(' ')[0]}"
+        else f"{plus_minus(mean_over_seeds(each), 3, '+')} {symbol}"
         for each in found.gains.values()
     )
     return [
         where.title,
-        told(found.baseline, 3),
+        plus_minus(found.baseline, 3),
         *changes,
         f"{found.lai:.1f}",
-        told(found.gain_per_leaf_area, sign="+") if found.has_percent else "",
+        plus_minus(found.gain_per_leaf_area, sign="+")
+        if found.has_percent
+        else "",
         *(cell for each in found.splits.values() for cell in parts(each)),
     ]
 
@@ -269,7 +272,7 @@ def parts(splits: Sequence[Split]) -> list[str]:
     unit = splits[0].unit
     is_percent = unit == "%"
     return [
-        told(
+        plus_minus(
             mean_over_seeds([(x.mean, x.standard_error) for x in each]),
             1 if is_percent else 3,
             "+",

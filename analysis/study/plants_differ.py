@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from estimates import Estimate, gain, print_table, told
+from estimates import Estimate, gain, plus_minus, print_table
 from scipy.stats import qmc, spearmanr
 from shared import (
     CAMPAIGNS,
@@ -80,9 +80,9 @@ def row(title: str, line: str, alike: Numbers, here: Numbers) -> list[str]:
     return [
         title,
         line,
-        told(change, 2, "+"),
+        plus_minus(change, 2, "+"),
         f"{agreement:.3f}",
-        told(worth, 2, "+"),
+        plus_minus(worth, 2, "+"),
     ]
 
 

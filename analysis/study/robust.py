@@ -30,8 +30,8 @@ from estimates import (
     gain,
     half_interval,
     mean_over_seeds,
+    plus_minus,
     print_table,
-    told,
 )
 from shared import (
     BREEDABLE,
@@ -173,7 +173,7 @@ def main() -> None:
     rows = []
     for name, row in found.items():
         cells = (*row, mean_of_row(row))
-        rows.append([name, *(told(x, 2) for x in cells)])
+        rows.append([name, *(plus_minus(x, 2) for x in cells)])
     print_table(["bred for", *grown, "mean"], rows)
     if options.figure:
         draw(found, options.latitudes, options.figure)

@@ -23,7 +23,7 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
-from estimates import half_interval, print_table, told
+from estimates import half_interval, plus_minus, print_table
 from shared import (
     CAMPAIGNS,
     Numbers,
@@ -148,8 +148,8 @@ def tell(found: dict[str, list[Point]]) -> None:
         [
             name,
             f"{each.evaluations:,}",
-            told((each.gain, each.error), 2),
-            ", ".join(told(x, 2) for x in zip(each.gains, each.errors)),
+            plus_minus((each.gain, each.error), 2),
+            ", ".join(plus_minus(x, 2) for x in zip(each.gains, each.errors)),
             f"{each.seconds:.1f}",
         ]
         for name, points in found.items()

@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import tomli_w
-from estimates import Estimate, print_table, told
+from estimates import Estimate, plus_minus, print_table
 from shared import CAMPAIGNS, FORMER_TOLERANCE, MAIZE, guard, parser_of
 
 from ideotype import Stand
@@ -164,7 +164,7 @@ def more(a: Estimate, b: Estimate) -> str:
     """Formats the excess of a over b [%]."""
     ratio = a[0] / b[0]
     error = ratio * math.hypot(a[1] / a[0], b[1] / b[0])
-    return told((100 * ratio - 100, 100 * error), 0, "+")
+    return plus_minus((100 * ratio - 100, 100 * error), 0, "+")
 
 
 def above_soybean(strips: Strips) -> list[list[str]]:
@@ -262,7 +262,7 @@ def compare(path: Path) -> None:
                 [
                     f"{campaign} {found.field_row.values[i]}",
                     f"{each.fraction:.3f}",
-                    told((float(light[i]), float(error[i])), 3),
+                    plus_minus((float(light[i]), float(error[i])), 3),
                 ]
             )
     print_table(["row", "measured", "computed"], rows)

@@ -28,7 +28,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from estimates import Estimate, estimate, gain, print_table, told
+from estimates import Estimate, estimate, gain, plus_minus, print_table
 from fields import DENSITY, JULY, ROW, Field, crop, density_of, measure
 from growing import tables
 from measured_seasons import figures_of_light
@@ -119,7 +119,9 @@ def canopy(options: Options) -> None:
             [
                 name,
                 *(
-                    told((np.interp(x, ppfd, rate), np.interp(x, ppfd, error)))
+                    plus_minus(
+                        (np.interp(x, ppfd, rate), np.interp(x, ppfd, error))
+                    )
                     for x in LEVELS
                 ),
             ]
@@ -149,7 +151,7 @@ def clear_day(options: Options) -> list[list[str]]:
                     f"clear day, plant.stage = {stage}",
                     name,
                     "",
-                    told(found["light_use_efficiency"], 3),
+                    plus_minus(found["light_use_efficiency"], 3),
                     "",
                 ]
             )
@@ -188,8 +190,8 @@ def season(options: Options) -> list[list[str]]:
                 "season, plants grow",
                 name,
                 "ageing" if ages else "no ageing",
-                *(told(x, 3) for x in cells),
-                ", ".join(told(x, sign="+") for x in changes),
+                *(plus_minus(x, 3) for x in cells),
+                ", ".join(plus_minus(x, sign="+") for x in changes),
             ]
         )
     return rows
@@ -234,7 +236,7 @@ def stages(options: Options) -> None:
     for ages in ([1.0], [1, 1, 0.9, 0.7, 0.3]):
         exact = carbon(ages, 40)
         errors = [gain(exact, carbon(ages, count)) for count in counts]
-        rows.append([str(ages), *(told(x, 2, "+") for x in errors)])
+        rows.append([str(ages), *(plus_minus(x, 2, "+") for x in errors)])
     print_table(
         ["error over 40 stages [%], by stages; ageing", *map(str, counts)],
         rows,
@@ -303,10 +305,13 @@ def panels(options: Options) -> None:
         rows.append(
             [
                 name,
-                *(told(estimate(each[x]), 3) for x in places),
-                *(told(gain(shipped[x], each[x]), 2, "+") for x in places),
-                told(gain(each["open"], each["below"]), 2, "+"),
-                told(than, 2, "+"),
+                *(plus_minus(estimate(each[x]), 3) for x in places),
+                *(
+                    plus_minus(gain(shipped[x], each[x]), 2, "+")
+                    for x in places
+                ),
+                plus_minus(gain(each["open"], each["below"]), 2, "+"),
+                plus_minus(than, 2, "+"),
             ]
         )
     print_table(

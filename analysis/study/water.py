@@ -30,7 +30,7 @@ from typing import Any
 
 import numpy as np
 from climates import growing_season, season
-from estimates import print_table, told
+from estimates import plus_minus, print_table
 from shared import campaign_of, guard
 
 from ideotype import Stand
@@ -214,7 +214,10 @@ def print_error(paths: int, seeds: int) -> None:
             change = 100 * (found[:, i] / usual[:, i] - 1)
             scatter = 100 * found[:, i].std(ddof=1) / found[:, i].mean()
             error = change.std(ddof=1) / math.sqrt(seeds)
-            row += [told((change.mean(), error), 2, "+"), f"{scatter:.2f}"]
+            row += [
+                plus_minus((change.mean(), error), 2, "+"),
+                f"{scatter:.2f}",
+            ]
         rows.append(row)
     titles = (
         f"{x} {y} [%]"

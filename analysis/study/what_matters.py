@@ -41,8 +41,8 @@ from estimates import (
     gain,
     half_interval,
     mean_over_seeds,
+    plus_minus,
     print_table,
-    told,
 )
 from shared import (
     BREEDABLE,
@@ -253,7 +253,7 @@ def interval(value: Estimate) -> str:
 
 
 def signed(value: Estimate) -> str:
-    return told(value, 2, "+")
+    return plus_minus(value, 2, "+")
 
 
 def tell(

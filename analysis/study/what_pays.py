@@ -20,7 +20,7 @@ from statistics import correlation, fmean, stdev
 
 import numpy as np
 import pandas as pd
-from estimates import Estimate, gain, mean_over_seeds, print_table, told
+from estimates import Estimate, gain, mean_over_seeds, plus_minus, print_table
 from shared import (
     MAIZE,
     guard,
@@ -130,8 +130,8 @@ def main() -> None:
     rows = [
         [
             name,
-            told(mean_over_seeds(each), 2, "+"),
-            ", ".join(told(x, 2, "+") for x in each),
+            plus_minus(mean_over_seeds(each), 2, "+"),
+            ", ".join(plus_minus(x, 2, "+") for x in each),
         ]
         for name, each in zip(VARIANTS, zip(*seeds, strict=True), strict=True)
     ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# shellcheck disable=SC2034,SC2154  # its variables are those of what sources it
+# shellcheck disable=SC2034,SC2154  # shared with the script that sources it
 # Settings of a site. Copy this file to slurm/sites/NAME.sh, change it, and use
 # it with `slurm/submit --site NAME`. slurm/submit reads it where you are, and
 # every job where it runs.

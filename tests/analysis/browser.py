@@ -71,9 +71,9 @@ def run_in_browser(
     output, log = _run([name, *options, copy.as_uri()])
     found = re.search(r'data-result="([^"]*)"', output)
     assert found, f"the page did not finish:\n{log[-2000:]}"
-    told = json.loads(html.unescape(found[1]))
+    answer = json.loads(html.unescape(found[1]))
     console = [line for line in log.split("\n") if "CONSOLE" in line]
-    return told["result"], told["failures"] + console
+    return answer["result"], answer["failures"] + console
 
 
 def _run(command: list[str]) -> tuple[str, str]:

@@ -116,16 +116,16 @@ class Talk:
     async def first(self, number: int) -> dict[str, Any]:
         """Returns the first numbers that answer a question."""
         while True:
-            told = await self.hear("numbers")
-            if told["number"] == number:
-                return told
+            numbers = await self.hear("numbers")
+            if numbers["number"] == number:
+                return numbers
 
     async def final(self, number: int) -> dict[str, Any]:
         """Returns the refined numbers that answer a question."""
         while True:
-            told = await self.hear("numbers")
-            if told["number"] == number and told.get("is_final"):
-                return told
+            numbers = await self.hear("numbers")
+            if numbers["number"] == number and numbers.get("is_final"):
+                return numbers
 
 
 def talk_with(page: Served, do: Callable[[Talk], Awaitable[T]]) -> T:

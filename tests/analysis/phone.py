@@ -146,14 +146,14 @@ class Phone:
         return message
 
     def _note(self, message: dict[str, Any]) -> None:
-        told = message.get("params", {})
+        params = message.get("params", {})
         if message.get("method") == "Runtime.exceptionThrown":
-            self.errors.append(str(told["exceptionDetails"]))
+            self.errors.append(str(params["exceptionDetails"]))
         elif (
             message.get("method") == "Log.entryAdded"
-            and told["entry"]["level"] == "error"
+            and params["entry"]["level"] == "error"
         ):
-            self.errors.append(str(told["entry"]))
+            self.errors.append(str(params["entry"]))
 
 
 _CODES = {"ArrowRight": 39, "ArrowLeft": 37}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Prints what memory the ranks of a run take, with MPI and HDF5: the peak, and
-# the private, file-backed and shared parts of it; libraries are counted in
+# Prints the memory that the ranks of a run take, with MPI and HDF5: the peak,
+# and the private, file-backed and shared parts of it; libraries are counted in
 # every rank, though all share them.
 # Usage: tests/benchmark/rank_memory.sh IDEOTYPE CAMPAIGN [RANKS]
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Prints one table of all benchmarks: times, ratios to what Embree can do at
-# all, exponents of cost, memory, and the share of time inside Embree.
+# Prints one table of all benchmarks: times, ratios to the best that Embree
+# can do, exponents of cost, memory, and the share of time inside Embree.
 # Usage: tests/benchmark/table.sh BENCHMARKS [OPTION...], with the executable
 # (build/dev/tests/benchmark/benchmarks) and options of Google Benchmark.
 set -euo pipefail

@@ -3,7 +3,7 @@
 # Evaluations per second of `run --threads N` beside `mpirun -n N+1`, one after
 # the other and in turns, since other programs may use the machine:
 # threads_rate.sh IDEOTYPE CAMPAIGN [THREADS=2] [REPETITIONS=7] [KEY=VALUE...]
-# tells wall and processor time of each, and the medians of the ratios.
+# Prints the wall and processor time of each, and the medians of the ratios.
 set -euo pipefail
 ideotype=$(realpath "$1")
 campaign=$2

@@ -5,9 +5,9 @@
 #
 #     tests/debian/package.sh SUITE [DIRECTORY]      # such as trixie
 #
-# Needs what run.sh needs. The roots are DIRECTORY/build and DIRECTORY/bare
-# (/tmp/ideotype-package-SUITE); a second run keeps the first of them, with
-# ccache. Packages will be in DIRECTORY.
+# Has the requirements of run.sh. The roots are DIRECTORY/build and
+# DIRECTORY/bare (/tmp/ideotype-package-SUITE); a second run keeps the first of
+# them, with ccache. Packages will be in DIRECTORY.
 set -euo pipefail
 suite=${1:?usage: tests/debian/package.sh SUITE [DIRECTORY]}
 folder=${2:-/tmp/ideotype-package-$suite}

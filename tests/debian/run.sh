@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Runs both commands of README.md on a fresh Debian of another suite, as root
-# and with its own packages, on a clone of what is committed here; then tells
+# and with its own packages, on a clone of the last commit here; then prints
 # versions and results.
 #
 #     tests/debian/run.sh SUITE [DIRECTORY [COMMAND...]]      # such as trixie
@@ -9,9 +9,9 @@
 # or runs COMMAND there, such as .ci/wheel, in the top folder.
 # Needs root, debootstrap and 6 GB. The root is built in DIRECTORY
 # (/tmp/ideotype-SUITE) and stays there: a second run begins with it and
-# fetches what has been committed since. Packages come from the mirror that
-# apt uses here. Mounts and processes end with the script, however it ends,
-# because they are in separate name spaces.
+# fetches the commits made since. Packages come from the mirror that apt uses
+# here. Mounts and processes end with the script, however it ends, because they
+# are in separate name spaces.
 set -euo pipefail
 suite=${1:?usage: tests/debian/run.sh SUITE [DIRECTORY]}
 root=${2:-/tmp/ideotype-$suite}

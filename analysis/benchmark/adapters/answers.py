@@ -28,6 +28,6 @@ def write_answers(name: str, answer: Answer) -> None:
             found = answer(case)
             for quantity in filter(found.get, case["quantities"]):
                 value, error = found[quantity]
-                told = "" if error is None else f"{error:.3g}"
-                out.writerow([each, quantity, f"{value:.7g}", told])
+                text = "" if error is None else f"{error:.3g}"
+                out.writerow([each, quantity, f"{value:.7g}", text])
             file.flush()

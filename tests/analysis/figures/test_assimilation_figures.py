@@ -113,10 +113,10 @@ def test_figures_name_the_missing_data_of_older_histories(
 ) -> None:
     with open_study(finished) as study:
         (old,) = study.cases()
-        for draw, told in (
+        for draw, message in (
             (draw_assimilation, "no assimilation by leaf or hour"),
             (draw_sunlit, "no sunlit_lai_by_hour"),
             (draw_days, "no quantities by day"),
         ):
-            with pytest.raises(HistoryError, match=told):
+            with pytest.raises(HistoryError, match=message):
                 draw(old)

@@ -76,8 +76,8 @@ def test_a_change_has_a_direction(
         (case,) = study.cases()
         assert format_change(case, trait) == text
         if trait == "height" and change:
-            told = get_answer(draw_plant_traits(case))
-            assert told.startswith(
+            answer = get_answer(draw_plant_traits(case))
+            assert answer.startswith(
                 f"The best plant differs most from the baseline in {text}"
             )
 

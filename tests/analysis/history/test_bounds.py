@@ -44,8 +44,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         '[plant]\nbaseline = "maize.toml"\n', _TRAITS, 1
     )
     path.write_text(f"replicates = {REPLICATES}\n{text}")
-    told = output_of("run", path, "--out", folder)
-    (folder / "told.txt").write_text(told)
+    printed = output_of("run", path, "--out", folder)
+    (folder / "told.txt").write_text(printed)
     return folder
 
 

@@ -166,5 +166,5 @@ def test_the_exit_code_is_3_if_files_are_left_out(
     capsys.readouterr()
     with pytest.raises(SystemExit):
         commands.report(["--help"])
-    told = " ".join(capsys.readouterr().out.split())
-    assert "3 success without the histories" in told
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "3 success without the histories" in printed

@@ -135,8 +135,8 @@ def test_plants_along_the_front_are_drawn(history: Path) -> None:
     for axes, mesh in zip(figure.axes, (plants.baseline, *plants.members[:2])):
         (faces,) = axes.collections
         assert len(faces.get_paths()) == len(mesh.faces)
-    told = get_answer(figure)
-    assert "absorbed PAR [MJ m⁻² day⁻¹ of ground], LAI [m² m⁻²" in told
+    answer = get_answer(figure)
+    assert "absorbed PAR [MJ m⁻² day⁻¹ of ground], LAI [m² m⁻²" in answer
 
 
 def test_a_front_member_has_the_same_number_everywhere(tmp_path: Path) -> None:

@@ -140,8 +140,8 @@ def test_the_best_plant_has_the_same_number_everywhere(tmp_path: Path) -> None:
             if str(group.get_label()).endswith(who)
         ]
         assert [*drawn] == [*results[who]]
-        told = [row[column].split("\u00a0")[0] for row in table.rows]
-        assert told == [
+        cells = [row[column].split("\u00a0")[0] for row in table.rows]
+        assert cells == [
             getattr(case, who).objective.interval_text().split()[0]
             for case in cases
         ]

@@ -106,8 +106,8 @@ def test_hours_are_on_the_clock_of_the_site(
         assert hours.get_xlabel() == f"{name} [h]"
         assert list(best.labels) == [hour + 1.5 for hour in same.axis.labels]
     assert made.hour.attrs["long_name"] == name
-    told = output_of("evaluate", late)
-    assert re.search("(?m)^clock +UTC-4:30$", told), told
+    printed = output_of("evaluate", late)
+    assert re.search("(?m)^clock +UTC-4:30$", printed), printed
 
 
 def test_a_season_is_drawn_by_hour_and_by_day(season: Path) -> None:

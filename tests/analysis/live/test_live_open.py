@@ -102,11 +102,11 @@ def test_bad_files_are_refused_with_a_reason(
     if (content := BAD[name]) is not None:
         path.write_bytes(content)
     assert play([str(path), "--no-browser"]) == 3
-    told = capsys.readouterr()
-    assert told.out == ""
-    assert told.err.startswith("ideotype play: ")
-    assert path.name.replace("\x1b", "\\x1b") in told.err
-    assert "\x1b" not in told.err and "Traceback" not in told.err
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith("ideotype play: ")
+    assert path.name.replace("\x1b", "\\x1b") in printed.err
+    assert "\x1b" not in printed.err and "Traceback" not in printed.err
 
 
 def test_a_missing_folder_is_refused(
@@ -125,15 +125,15 @@ def test_a_folder_is_summarised_with_its_damaged_files(
     deep = tmp_path / "deep"
     deep.mkdir()
     (deep / "case.h5").write_bytes(finished.read_bytes())
-    told = Folder(tmp_path).summarise()
-    by_file = {case["file"]: case for case in told["cases"]}
+    summary = Folder(tmp_path).summarise()
+    by_file = {case["file"]: case for case in summary["cases"]}
     assert "problem" in by_file[hostile]
     case = by_file["deep/case.h5"]
     assert case["state"] == "finished" and case["core_hours_left"] == 0
     assert case["generation"] == len(case["convergence"][0])
     assert case["best"][0] > case["baseline"][0]
-    assert (told["finished"], told["damaged"]) == (1, 1)
-    json.dumps(told, allow_nan=False)
+    assert (summary["finished"], summary["damaged"]) == (1, 1)
+    json.dumps(summary, allow_nan=False)
 
 
 def test_equal_cases_are_named_by_their_folders(
@@ -161,15 +161,15 @@ def test_a_running_case_is_summarised_while_it_grows(
     writer: WriterProcess,
 ) -> None:
     folder = Folder(writer.path.parent)
-    told = folder.summarise()["cases"][0]
-    assert (told["state"], told["evaluations"]) == ("running", 0)
-    assert told["best"] is None and told["core_hours_left"] is None
+    case = folder.summarise()["cases"][0]
+    assert (case["state"], case["evaluations"]) == ("running", 0)
+    assert case["best"] is None and case["core_hours_left"] is None
     writer.do("record 0 3")
     assert folder.summarise()["cases"][0]["evaluations"] == 1
     writer.kill()
-    told = folder.summarise()
-    assert told["cases"][0]["state"] == "interrupted"
-    assert told["rate"] == 0
+    summary = folder.summarise()
+    assert summary["cases"][0]["state"] == "interrupted"
+    assert summary["rate"] == 0
 
 
 def test_an_error_is_raised_for_a_folder_that_is_not_there() -> None:

@@ -91,9 +91,9 @@ def test_the_page_reports_the_end_of_the_program(
 def test_a_wrong_token_is_explained(day: Served, tmp_path: Path) -> None:
     wrong = f"http://127.0.0.1:{day.port}/wrong/"
     with phone_with(wrong, tmp_path) as phone:
-        told = phone.value("document.body.innerText")
-        assert "key in the address is wrong" in told
-        assert "Use the complete address" in told
+        message = phone.value("document.body.innerText")
+        assert "key in the address is wrong" in message
+        assert "Use the complete address" in message
 
 
 def test_pages_of_other_sites_learn_nothing(

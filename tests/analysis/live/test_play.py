@@ -49,13 +49,13 @@ def key(phone: Phone, name: str, modifiers: int = 0, code: int = 0) -> None:
 def test_plants_and_numbers_with_errors_are_seen(phone: Phone) -> None:
     assert fits(phone)
     assert 0.1 < bare(phone) < 0.95
-    told = text(phone, "#numbers")
+    numbers = text(phone, "#numbers")
     assert (
-        "Absorbed PAR" in told
-        and told.count("±") == 2
-        and told.count("no difference") == 3
+        "Absorbed PAR" in numbers
+        and numbers.count("±") == 2
+        and numbers.count("no difference") == 3
     )
-    assert "NaN" not in told and "undefined" not in told
+    assert "NaN" not in numbers and "undefined" not in numbers
     assert phone.value("document.querySelectorAll('.chart .line').length") >= 3
     assert "ames" in phone.value("document.title")
 
@@ -67,8 +67,8 @@ def test_a_slider_moves_shape_and_light_and_is_undone(phone: Phone) -> None:
     moved = number(phone, "lai")[0]
     assert view(phone) != picture and moved > 1.02 * area
     assert number(phone, "absorbed_par")[1] > 0
-    told = text(phone, "#numbers [data-name=absorbed_par]")
-    assert told.count("±") == 2 and "%" in told
+    row = text(phone, "#numbers [data-name=absorbed_par]")
+    assert row.count("±") == 2 and "%" in row
     assert "+" in text(phone, "#numbers [data-name=lai] .apart.clear")
     click(phone, "#undo")
     settle(phone)

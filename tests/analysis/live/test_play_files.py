@@ -74,10 +74,14 @@ def test_measured_optimised_and_saved_plants_are_opened(
     else:
         path = tmp_path / f"mine.{kind}"
         path.write_text(MIDRIBS if kind == "csv" else obj_of(MIDRIBS))
-    told = {"csv": "Measured: 2 leaves", "obj": "Measured: 2 leaves",
-            "history": "The best plant of", "crop": "crop file"}[kind]  # fmt: skip
+    expected = {
+        "csv": "Measured: 2 leaves",
+        "obj": "Measured: 2 leaves",
+        "history": "The best plant of",
+        "crop": "crop file",
+    }[kind]
     with served("play", path) as page, shown(page, tmp_path) as phone:
-        assert told in text(phone, "#about")
+        assert expected in text(phone, "#about")
         assert number(phone, "absorbed_par")[0] > 0
         name = phone.value("sliders.find((s) => s.index >= 0).input.id")[2:]
         picture = view(phone)
@@ -144,9 +148,11 @@ def test_a_search_is_watched_and_undone(tmp_path: Path) -> None:
         assert view(phone) != picture
         phone.wait("byId('improve').textContent === 'Improve from here'", 300)
         settle(phone)
-        told = text(phone, "#improve-text")
+        message = text(phone, "#improve-text")
         assert (
-            told.startswith("+") and "±" in told and "200 evaluations" in told
+            message.startswith("+")
+            and "±" in message
+            and "200 evaluations" in message
         )
         click(phone, "#undo")
         settle(phone)

@@ -62,8 +62,8 @@ def choose(phone: Phone, file: str) -> None:
 
 def test_the_page_shows_cases_and_their_best_plants(phone: Phone) -> None:
     assert fits(phone)
-    told = seen(phone, "#sums")
-    assert "2 of 5" in told
+    sums = seen(phone, "#sums")
+    assert "2 of 5" in sums
     choose(phone, "a_real.h5")
     phone.wait("seen.plants && !byId('plants').hidden", 60)
     assert 0.1 < bare(phone) < 0.97

@@ -29,5 +29,5 @@ def test_the_package_needs_no_library_of_the_program(tmp_path: Path) -> None:
 
 
 def test_the_package_has_the_version_of_the_project() -> None:
-    told = (PROJECT / "CMakeLists.txt").read_text()
-    assert f"set(IDEOTYPE_VERSION {ideotype.__version__})" in told
+    text = (PROJECT / "CMakeLists.txt").read_text()
+    assert f"set(IDEOTYPE_VERSION {ideotype.__version__})" in text

@@ -53,8 +53,8 @@ def test_the_nearest_line_is_a_name(
     lines = "--set", 'feasibility.lines="lines/maize_panel.toml"'
     text = output_of("evaluate", campaign, *lines, *few)
     assert re.search(r"^ +nearest_line +B73$", text, re.MULTILINE)
-    told = json.loads(output_of("evaluate", campaign, *lines, *few, "--json"))
-    nearest = told["quantities"]["nearest_line"]
+    data = json.loads(output_of("evaluate", campaign, *lines, *few, "--json"))
+    nearest = data["quantities"]["nearest_line"]
     assert nearest["name"] == "B73" and nearest["mean"] >= 1
     stand = ideotype.Stand.from_campaign(campaign, settings=lines[1:])
     found = stand.evaluate(stand.baseline, ["nearest_line"]).nearest_line

@@ -324,8 +324,8 @@ def test_a_report_of_a_front_that_the_program_bred(tmp_path: Path) -> None:
     assert errors == []
     assert shown["heading"] == "Pareto front and its plants in 3D"
     assert shown["count"] == len(found) and shown["changes"]
-    told = (
+    sentence = (
         f"After re-evaluation {kept} of {len(found)} plants remain in the "
         "Pareto front"
     )
-    assert shown["told"].startswith(told)
+    assert shown["told"].startswith(sentence)

@@ -96,12 +96,12 @@ def test_progress_reports_each_figure(tmp_path: Path) -> None:
     parts = [Section("ames"), Section("words alone"), Section("oslo")]
     for part in parts[::2]:
         part.draw("gain", "How much?", "", missing)
-    told: list[tuple[int, int, str]] = []
+    progress: list[tuple[int, int, str]] = []
     files = draw_all(
-        parts, tmp_path, map, lambda *words: told.append(words), False
+        parts, tmp_path, map, lambda *words: progress.append(words), False
     )
     assert files == []
-    assert told == [(1, 2, "ames"), (2, 2, "oslo")]
+    assert progress == [(1, 2, "ames"), (2, 2, "oslo")]
     assert "Not drawn: no light." in parts[0].blocks[0].text
 
 

@@ -226,14 +226,16 @@ def test_summary_and_report_show_the_split(
     assert isinstance(found, Split)
     cells = [x.interval_text() for x in (*found.gains, *found.parts)]
     assert summary([str(tiny_run)]) == 0
-    told = capsys.readouterr().out
-    (row,) = (x for x in told.splitlines() if x.count("|") == 7 and name in x)
+    printed = capsys.readouterr().out
+    (row,) = (
+        x for x in printed.splitlines() if x.count("|") == 7 and name in x
+    )
     assert [
         x.strip().replace("\N{MINUS SIGN}", "-") for x in row.split("|")[2:7]
     ] == cells
     assert summary([str(tiny_run), "--no-split"]) == 0
-    assert told.splitlines()[0] in (bare := capsys.readouterr().out)
-    assert "leaves alone" in told and "leaves alone" not in bare
+    assert printed.splitlines()[0] in (bare := capsys.readouterr().out)
+    assert "leaves alone" in printed and "leaves alone" not in bare
 
     assert summary([str(tiny_run), "--csv"]) == 0
     table = pd.read_csv(io.StringIO(capsys.readouterr().out))

@@ -34,8 +34,8 @@ def test_light_by_organ_is_drawn_and_listed(sorghum: list[Path]) -> None:
     assert table.header == ("plant", "stalk", "sheath", "peduncle", "panicle")
     assert len(table.rows) == 2
     share = 100 * others["panicle"].mean
-    told = float(table.rows[1][4].split("\u00a0")[0])
-    assert told == pytest.approx(share, abs=0.5)
+    percent = float(table.rows[1][4].split("\u00a0")[0])
+    assert percent == pytest.approx(share, abs=0.5)
 
 
 def test_a_report_of_sorghum_is_complete(

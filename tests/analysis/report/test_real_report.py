@@ -78,8 +78,8 @@ def test_a_browser_shows_the_report_of_a_real_run(
     with open_history(tiny_run) as history:
         has = history.attributes
         command = history.sessions()[0].command
-    for told in ("seed", "isa", "program_version", "compiler"):
-        assert str(has[told]) in words
+    for attribute in ("seed", "isa", "program_version", "compiler"):
+        assert str(has[attribute]) in words
     assert command in words and str(has["git_sha"])[:12] in words
     data = json.loads(cross.read_text())
     assert len(data["plants"]) == 2 and len(data["cases"]) == 1

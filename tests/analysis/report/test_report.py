@@ -77,10 +77,10 @@ def test_each_figure_answers_the_question_above_it(made: Made) -> None:
         made.text,
     )
     assert len(figures) == 5 + len(CASES) * (len(DRAWN) + len(OWN))
-    for question, sentence, data, told in figures:
+    for question, sentence, data, description in figures:
         assert re.fullmatch(r"[A-Z][^.?]+\?", question)
         assert re.fullmatch(r"[A-Z].+\.", sentence)
-        assert told == f"{question} {sentence}"
+        assert description == f"{question} {sentence}"
         assert base64.b64decode(data).startswith(b"<?xml")
 
 
@@ -166,7 +166,7 @@ def test_missing_things_are_plain_sentences(made: Made) -> None:
 
 def test_the_page_states_its_provenance(made: Made) -> None:
     words = plain(made.text)
-    for told in (
+    for fact in (
         *("0123456789ab", "avx2", str(2**63 + 1), "ideotype run", "node1"),
         *(
             "Command that made this page: ideotype report",
@@ -174,7 +174,7 @@ def test_the_page_states_its_provenance(made: Made) -> None:
         ),
         *(f"{case}_r{seed}.h5" for case in CASES for seed in (1, 2)),
     ):
-        assert told in words
+        assert fact in words
 
 
 def test_there_is_no_progress_without_a_terminal(made: Made) -> None:
@@ -236,13 +236,13 @@ def test_three_searches_bound_the_distance_of_the_optimum(
         made.evolve(1)
         made.finish()
         made.close()
-    told = []
+    remarks = []
     for folder in (sweep, tmp_path):
         with open_study(folder) as study:
             notes = [b.text for b in tabulate_gains(study.cases(), None)[1:]]
         # The note about intervals appears once and covers all cases.
-        told.append([note for note in notes[1:] if "optimum" in note])
-    (two,), (three,) = told
+        remarks.append([note for note in notes[1:] if "optimum" in note])
+    (two,), (three,) = remarks
     assert two.startswith("Three searches (replicates = 3) would show")
     lowest, *_, highest = sorted(
         100 * ((final_absorbed(2) + shift) / BASELINE - 1) for shift in shifts

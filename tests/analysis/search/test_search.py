@@ -52,7 +52,7 @@ def test_failing_points_are_avoided() -> None:
 
 
 @pytest.mark.parametrize(
-    "options, told",
+    "options, message",
     [
         ({"upper": [1, -6]}, "each lower bound"),
         ({"upper": [1]}, "lists of the same length"),
@@ -68,8 +68,8 @@ def test_failing_points_are_avoided() -> None:
         ({"optimizer": "best"}, 'no optimizer "best"; use one of auto'),
     ],
 )
-def test_the_error_names_an_invalid_argument(options, told: str) -> None:
-    with pytest.raises(ideotype.Error, match=told):
+def test_the_error_names_an_invalid_argument(options, message: str) -> None:
+    with pytest.raises(ideotype.Error, match=message):
         ideotype.Search(**{"lower": [-5, -5], "upper": [5, 5], **options})
 
 

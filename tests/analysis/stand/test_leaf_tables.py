@@ -155,8 +155,8 @@ def test_a_height_bends_a_leaf_with_a_digitised_midrib(folder: Path) -> None:
     head = f"# crop: {iowa}\n"
     lengths = crop(folder, f"{head}length_cm\n" + 10 * "60\n")
     assert all("midrib" in leaf for leaf in lengths["leaf"])
-    told = problems(folder, f"{head}tip_height_cm\n" + 10 * "60\n")
-    assert told == [
+    messages = problems(folder, f"{head}tip_height_cm\n" + 10 * "60\n")
+    assert messages == [
         "field.csv:2:1: there is no column for the insertion_angle of leaves "
         "(needed where digitised leaves of the crop are replaced); add "
         "insertion_angle_deg"
@@ -212,9 +212,9 @@ def test_leaves_of_tables_are_checked_like_crop_files(folder: Path) -> None:
 
 
 def test_tables_with_other_leaf_counts_need_all_measures(folder: Path) -> None:
-    told = problems(folder, "length_cm,width_cm,azimuth_deg\n30,4,90\n")
+    messages = problems(folder, "length_cm,width_cm,azimuth_deg\n30,4,90\n")
     reason = "(needed where plants do not have the 2 leaves of the crop); add "
-    assert told == [
+    assert messages == [
         f"field.csv:1:1: there is no column for the {measure} of leaves "
         f"{reason}{columns}"
         for measure, columns in {
@@ -318,8 +318,8 @@ def test_fit_writes_a_crop_file_of_each_plant(
     capsys.readouterr()
     new = folder / "new"
     assert run(trial, "--crop", two, "--to", new, "--json") == 0
-    told = json.loads(capsys.readouterr().out)
-    assert [each["plant"] for each in told] == ["A", "B"]
+    plants = json.loads(capsys.readouterr().out)
+    assert [each["plant"] for each in plants] == ["A", "B"]
     text = (new / "A.toml").read_text()
     assert text.startswith(
         "# Leaves of plant A of trial.csv, by ideotype fit trial.csv --crop "

@@ -124,9 +124,9 @@ def test_an_evaluation_agrees_bitwise_with_the_command_line(
         capture_output=True,
         text=True,
     ).stdout
-    told = json.loads(said)["quantities"]
+    quantities = json.loads(said)["quantities"]
     found = stand.evaluate(stand.baseline, seed=7, final=True)
-    for name, value in told.items():
+    for name, value in quantities.items():
         assert found[name].item() == value["mean"], name
 
 

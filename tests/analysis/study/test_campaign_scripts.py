@@ -391,9 +391,9 @@ def test_a_terminated_study_leaves_no_program_running(
             assert study.poll() is None
             time.sleep(0.1)
         study.terminate()
-        _, told = study.communicate(timeout=60)
+        _, message = study.communicate(timeout=60)
     assert study.returncode != 0
-    assert "paper_table.py ended with 1" in told, told
+    assert "paper_table.py ended with 1" in message, message
     left = subprocess.run(["pgrep", "-f", tmp_path], check=False)
     assert left.returncode == 1, "a program is still running"
 

@@ -30,7 +30,7 @@ def test_95_of_100_printed_intervals_contain_the_truth(
     estimates = module("estimates", monkeypatch)
     draws = np.random.default_rng(1).normal(7.0, 1.0, (2000, 64))
     printed = [
-        estimates.told(estimates.estimate(x), 4) for x in draws.tolist()
+        estimates.plus_minus(estimates.estimate(x), 4) for x in draws.tolist()
     ]
     hits = sum(
         abs(float(mean) - 7) < float(half)
@@ -55,9 +55,9 @@ def test_gains_over_a_loss_are_differences(
 
     over_loss = erect_tops.gains([(flat, erect)])
     assert over_loss.is_positive and not over_loss.percents
-    assert re.fullmatch(r"\+0\.103 ± 0\.\d+ mol", over_loss.told())
+    assert re.fullmatch(r"\+0\.103 ± 0\.\d+ mol", over_loss.text())
     over_gain = erect_tops.gains([([1.0, 1.1], [1.2, 1.32])])
-    assert over_gain.told().startswith("+20.0 ±")
+    assert over_gain.text().startswith("+20.0 ±")
 
 
 def test_intervals_may_differ_in_the_last_digit_only(

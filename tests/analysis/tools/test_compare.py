@@ -336,9 +336,9 @@ def test_wrong_use_is_refused(
     with pytest.raises(SystemExit) as ended:
         compare.main(given)
     assert ended.value.code == 2
-    told = capsys.readouterr().err
+    message = capsys.readouterr().err
     if words:
-        assert f"{words[1]} (expected: " in told
+        assert f"{words[1]} (expected: " in message
 
 
 def test_the_error_names_the_line_of_a_wrong_table(
@@ -348,9 +348,9 @@ def test_the_error_names_the_line_of_a_wrong_table(
     lines = MEASURED.replace("azimuth_from", "azimut_from").splitlines()
     field.write_text("\n".join(lines).replace("60,6.5", "60,65"))
     assert run(field, "--under", under) == 3
-    told = capsys.readouterr().err
-    assert "field.csv:3:6: width_cm is 65 (expected: 0.1 .. 50)" in told
-    assert "did you mean 'azimuth" in told
+    message = capsys.readouterr().err
+    assert "field.csv:3:6: width_cm is 65 (expected: 0.1 .. 50)" in message
+    assert "did you mean 'azimuth" in message
 
 
 def test_a_damaged_history_is_refused(

@@ -47,8 +47,10 @@ def test_a_crate_describes_files_authors_licence_and_program(
     root = graph["./"]
     assert graph[METADATA]["about"] == {"@id": "./"}
     for parts in ("hasPart", "author", "mentions", "license"):
-        told = root[parts] if isinstance(root[parts], list) else [root[parts]]
-        assert told and all(each["@id"] in graph for each in told)
+        references = (
+            root[parts] if isinstance(root[parts], list) else [root[parts]]
+        )
+        assert references and all(each["@id"] in graph for each in references)
     files = {each["@id"] for each in root["hasPart"]}
     histories = {path.name for path in folder.glob("*.h5")}
     assert histories < files and len(histories) == 4

@@ -134,9 +134,9 @@ def measure(campaign: Path, *options: object) -> str:
     return done.stdout
 
 
-def pasted(campaign: Path, told: str) -> Path:
+def pasted(campaign: Path, printed: str) -> Path:
     """Returns the campaign with its tables replaced by those in the output."""
-    block = told.split("\n# ")[1].split("\n", 1)[1]
+    block = printed.split("\n# ")[1].split("\n", 1)[1]
     headers = re.findall(r"^\[.*", block, re.MULTILINE)
     # If the setting of the campaign is the cheapest, the output contains no
     # tables.

@@ -301,5 +301,5 @@ def test_leaves_with_petioles_are_not_fitted(
     table = tmp_path / "midribs.csv"
     table.write_text("leaf,x_m,z_m\n1,0,0\n1,0.1,0.2\n")
     soybean = str(CAMPAIGNS / "crops" / "soybean.toml")
-    told = refused(table, capsys, "--crop", soybean)
-    assert "soybean.toml: its leaves have petioles" in told
+    message = refused(table, capsys, "--crop", soybean)
+    assert "soybean.toml: its leaves have petioles" in message

@@ -372,8 +372,8 @@ def test_errors_of_unreadable_files_take_one_line(
     }.items():
         file.write_text(text)
         assert main([str(file), *to]) == 3
-        told = capsys.readouterr().err
-        assert words in told and told.count("\n") == 1
+        message = capsys.readouterr().err
+        assert words in message and message.count("\n") == 1
     assert main([str(tmp_path / "none.csv"), *to]) == 1
     assert "none.csv" in capsys.readouterr().err
     assert (

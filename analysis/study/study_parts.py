@@ -55,6 +55,26 @@ PARTS = {
         ("-m", "ideotype.tools.validate", "-o", "{figures}/facts"),
         ("--seeds", "2"),
     ),
+    "k_plastic": Part(
+        "Does plasticity explain extinction at high density?",
+        ("plasticity.py", "{folder}", "--only", "extinction"),
+        ("--rough",),
+    ),
+    "erect_plastic": Part(
+        "From which leaf area does an erect top pay in plants that respond?",
+        ("plasticity.py", "{folder}", "--only", "erect"),
+        ("--rough",),
+    ),
+    "densities": Part(
+        "What does one plant for several densities cost?",
+        ("plasticity.py", "{folder}", "--only", "densities", "--seeds", "3"),
+        ("--rough", "--generations", "2", "--seeds", "1"),
+    ),
+    "narrow_plastic": Part(
+        "What do plants that respond to density gain in narrow rows?",
+        ("plasticity.py", "{folder}", "--only", "narrow", "--seeds", "3"),
+        ("--rough", "--generations", "2", "--seeds", "1"),
+    ),
     "erect_tops": Part(
         "When does an erect top pay?",
         (

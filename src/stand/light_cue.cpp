@@ -103,10 +103,12 @@ Sampling sampling_of_comparison(const Case& in) {
 LightCue::LightCue(const Campaign& campaign, const std::vector<Case>& cases)
     : campaign_(campaign), cases_(cases) {
     if (!cases.front().stage) return;
-    for (std::size_t c = 0; c <= campaign.components.size(); ++c)
-        if (growth_of(campaign, c) &&
-            line_of(campaign, c).plasticity.cue == Cue::light)
+    for (std::size_t c = 0; c <= campaign.components.size(); ++c) {
+        const Plasticity& plasticity = line_of(campaign, c).plasticity;
+        if (growth_of(campaign, c) && plasticity.cue == Cue::light &&
+            plasticity.reference > 0)
             components_.push_back(c);
+    }
 }
 
 void LightCue::prepare(const Device& device) {

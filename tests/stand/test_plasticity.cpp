@@ -114,6 +114,18 @@ TEST(PlasticStand, LightOnYoungLeavesActsAsTheDensityWithTheSameLight) {
     }
 }
 
+TEST(PlasticStand, ShadeOfPanelsActsAsDensity) {
+    Campaign campaign = growing(reference);
+    const std::vector<double> open = last_widths(campaign);
+    PanelRows half_of_the_sky;
+    half_of_the_sky.height = 4;
+    half_of_the_sky.width = 1.5;
+    campaign.spec.panels = {{half_of_the_sky}};
+    const std::vector<double> below = last_widths(campaign);
+    for (std::size_t leaf = open.size() / 2; leaf < open.size(); ++leaf)
+        EXPECT_LT(below[leaf], open[leaf] - .05) << leaf;
+}
+
 TEST(PlasticStand, LightIsNoCueForPlantsThatDoNotGrow) {
     Campaign campaign = still("quickstart.toml", at(16));
     set_plasticity(campaign.crop.baseline, Cue::light);

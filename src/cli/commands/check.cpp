@@ -205,10 +205,14 @@ void print(const CheckOptions& options, const Campaign& campaign,
                campaign_cases.size() == 1 ? "" : "s (--cases lists them)");
     fmt::print("{}{}", objective_text(campaign),
                scenario_text(campaign, first));
-    fmt::print("plant     {}, {} leaves, {:.4f} m2 of leaf, {} faces\n",
-               campaign.crop.baseline.name,
-               campaign.crop.baseline.leaves.size(),
-               plant_area(findings.plant).leaves, findings.plant.faces.size());
+    const Plant& plant = campaign.crop.baseline;
+    fmt::print(
+        "plant     {}, {} leaves, {:.4f} m2 of leaf{}, {} faces\n", plant.name,
+        plant.leaves.size(), plant_area(findings.plant).leaves,
+        plant.plasticity.responses.empty()
+            ? ""
+            : fmt::format(" at {:g} plants m-2", plant.plasticity.reference),
+        findings.plant.faces.size());
     fmt::print("{}{}", leaves_text(campaign), growth_text(campaign, first));
     if (!campaign.spec.field.variation.is_any())
         fmt::print(

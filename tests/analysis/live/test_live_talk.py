@@ -70,9 +70,9 @@ def test_only_the_last_change_is_answered_in_full(day: Served) -> None:
             talk.say(kind="show", number=number, genome=genome)
         heard = []
         while True:
-            told = await talk.hear("numbers")
-            heard.append(told["number"])
-            if told["number"] == 30 and told.get("is_final"):
+            answer = await talk.hear("numbers")
+            heard.append(answer["number"])
+            if answer["number"] == 30 and answer.get("is_final"):
                 return heard
 
     heard = talk_with(day, ask)
@@ -98,8 +98,8 @@ def test_invalid_messages_are_reported_and_end_nothing(day: Served) -> None:
             talk.say(**message)
             with pytest.raises(AssertionError, match="problem"):
                 while True:
-                    told = await talk.hear("improved")
-                    assert "problem" not in told, "problem"
+                    answer = await talk.hear("improved")
+                    assert "problem" not in answer, "problem"
         talk.say(kind="show", number=9, genome=genome)
         await talk.first(9)
 
@@ -156,8 +156,8 @@ def test_hostile_messages_are_answered(day: Served) -> None:
                 else message.replace("GENOME", genome)
             )
             talk.say_raw(data)
-            told = await talk.hear("problem")
-            assert told["text"], message[:60]
+            answer = await talk.hear("problem")
+            assert answer["text"], message[:60]
         talk.say(kind="show", number=9, genome=talk.hello["genome"])
         await talk.first(9)
 
@@ -181,19 +181,19 @@ def test_hostile_plants_are_not_saved(day: Served) -> None:
 
 
 def test_work_that_fails_for_an_unknown_reason_is_answered() -> None:
-    told: list[dict] = []
+    messages: list[dict] = []
 
     async def fail() -> None:
         raise TypeError("a fault")
 
     async def work() -> None:
-        session = Session(cast(Any, None), told.append)
+        session = Session(cast(Any, None), messages.append)
         session._start(fail())
         await asyncio.sleep(0.1)
 
     asyncio.run(work())
-    assert [each["kind"] for each in told] == ["problem"]
-    assert "a fault" in told[0]["text"]
+    assert [each["kind"] for each in messages] == ["problem"]
+    assert "a fault" in messages[0]["text"]
 
 
 def test_a_denser_field_has_more_leaf(day: Served) -> None:
@@ -205,12 +205,36 @@ def test_a_denser_field_has_more_leaf(day: Served) -> None:
                 kind="show", number=number, genome=talk.hello["genome"],
                 conditions={"density": density},
             )  # fmt: skip
-            told = await talk.first(number)
-            areas.append(told["numbers"]["lai"][0])
+            answer = await talk.first(number)
+            areas.append(answer["numbers"]["lai"][0])
         return areas
 
     one, two = talk_with(day, ask)
     assert two == pytest.approx(2 * one, rel=1e-3)
+
+
+def test_plants_respond_to_the_density_that_is_chosen() -> None:
+    """The hybrid has narrower leaves in a denser stand, in the picture and in
+    the numbers. Lengths change by up to a third as much as widths."""
+
+    async def ask(talk: Talk) -> list[tuple[float, float]]:
+        found = []
+        for number, density in enumerate((7.5, 12.0), start=1):
+            talk.say(
+                kind="show", number=number, genome=talk.hello["genome"],
+                conditions={"density": density},
+            )  # fmt: skip
+            picture = await talk.hear("picture")
+            drawn = sum(picture["plants"][0]["areas"])
+            lai = (await talk.final(number))["numbers"]["lai"][0]
+            found.append((drawn, lai / density))
+        return found
+
+    with served("play", CAMPAIGNS / "crops/maize_hybrid.toml") as page:
+        (drawn, area), (drawn_denser, area_denser) = talk_with(page, ask)
+    narrower = (12 / 7.5) ** -0.15
+    assert drawn_denser / drawn == pytest.approx(narrower, abs=0.03)
+    assert area_denser / area == pytest.approx(drawn_denser / drawn, abs=0.06)
 
 
 def test_many_moves_leave_nothing_behind(day: Served) -> None:
@@ -238,14 +262,17 @@ def test_a_search_ends_with_a_re_evaluated_gain(
                  goal="absorbed_par")  # fmt: skip
         tried = []
         while True:
-            told = await talk.hear("improved")
-            tried.append(told["done"])
-            if told.get("is_final"):
-                return tried, told
+            answer = await talk.hear("improved")
+            tried.append(answer["done"])
+            if answer.get("is_final"):
+                return tried, answer
 
-    tried, told = talk_with(day, ask)
-    assert tried == sorted(tried) and tried[-1] == told["of"] == 200
-    assert told["is_better"] and told["gain"] > 3 * told["standard_error"] > 0
+    tried, answer = talk_with(day, ask)
+    assert tried == sorted(tried) and tried[-1] == answer["of"] == 200
+    assert (
+        answer["is_better"]
+        and answer["gain"] > 3 * answer["standard_error"] > 0
+    )
 
 
 def test_a_plant_that_was_saved_is_opened_again(
@@ -318,8 +345,8 @@ def test_rough_answers_are_right_within_their_errors() -> None:
     """In a season, the first answers come from a coarse stand. Refined numbers
     must lie within three standard errors of them, except for at most one of
     eight moves."""
-    told = ("absorbed_par", "net_assimilation", "carbon_balance", "fapar",
-            "lai")  # fmt: skip
+    names = ("absorbed_par", "net_assimilation", "carbon_balance", "fapar",
+             "lai")  # fmt: skip
 
     async def ask(talk: Talk) -> np.ndarray:
         genome = list(talk.hello["genome"])
@@ -342,7 +369,7 @@ def test_rough_answers_are_right_within_their_errors() -> None:
                 [
                     (one[0] - two[0]) / np.hypot(one[1], two[1])
                     for kind in ("numbers", "differences")
-                    for name in told
+                    for name in names
                     for one, two in [(first[kind][name], last[kind][name])]
                 ]
             )

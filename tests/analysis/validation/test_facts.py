@@ -95,21 +95,25 @@ def test_shipped_facts_name_real_files_and_sources() -> None:
 
 
 def test_shipped_facts_have_their_recorded_verdicts() -> None:
-    """This short form detects a change that turns a pass into a miss."""
+    """This short form detects a change that turns a pass into a miss. Some
+    points are near the limit, so that days need as many seeds as the command
+    takes; seasons of growth take longer."""
     for fact in read_facts(shipped_facts()).facts:
+        seeds = 8 if fact.campaign.stem == "field" else 2
         if fact.verdict is not None:
-            assert compare(fact, seeds=2).verdict == fact.verdict, fact.name
+            found = compare(fact, seeds).verdict
+            assert found == fact.verdict, fact.name
 
 
 def test_a_worse_plant_is_noticed(capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["--only", "intercepted_by_density", "--seeds", "2"]
+    words = ["--only", "inclination", "--seeds", "2"]
     assert validate.main(words) == 0
     assert "1 of 1 facts pass" in capsys.readouterr().out
-    words += ["--set", "leaf.all.length={times = 0.5}"]
+    words += ["--set", "leaf.all.curvature=0"]
     assert validate.main(words) == validate.WORSE
     printed = capsys.readouterr()
     assert "0 of 1 facts pass" in printed.out
-    expected = "passed before and miss now: intercepted_by_density"
+    expected = "passed before and miss now: inclination"
     assert expected in printed.err
 
 
@@ -156,8 +160,8 @@ def test_the_error_for_a_users_table_names_its_line(
     names = ("quantity", "value", "unit", "date")[:cells]
     table.write_text(f"{','.join(names)}\n{row}\n")
     assert validate.main([str(table), "--campaign", str(QUICK)]) == 3
-    told = capsys.readouterr().err
-    assert f"{table}:2: " in told and words in told
+    message = capsys.readouterr().err
+    assert f"{table}:2: " in message and words in message
 
 
 def test_a_table_needs_a_campaign(

@@ -96,6 +96,12 @@ class Bench:
         self.opened = opened
         self.own = opened.conditions
         self.growth = Growth(opened.base) if grows(opened.base) else None
+        plants = opened.base["plant"], *opened.base.get("component", [])
+        self.is_plastic = any(
+            "plasticity" in plant.get(key, {})
+            for plant in plants
+            for key in ("baseline", "crop")
+        )
         count = processors()
         self.fast = ThreadPoolExecutor(1, "answer")
         self.second = ThreadPoolExecutor(1, "compare")

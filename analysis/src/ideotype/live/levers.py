@@ -91,6 +91,8 @@ def _lever(
         trait.removesuffix("_profile"),
         (title(trait), ""),
     )
+    if table.get("over_density"):
+        description = "Slope over the logarithm of plant density."
     kind, place, label = "plant", 0.5, word
     if gene["leaf"]:
         kind, label = "leaf", f"leaf {gene['leaf']}"
@@ -118,6 +120,8 @@ def _shown(
     gene: dict[str, Any], table: Tables, crop: Tables, place: float
 ) -> dict[str, Any]:
     """Returns the scale, shift and unit in which a gene's number is shown."""
+    if table.get("over_density"):
+        return {"scale": 1.0, "shift": 0.0, "unit": ""}
     if "scales" in table:
         path = table["scales"][0]
         measure = _measure(crop, path, place)

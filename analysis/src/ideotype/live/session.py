@@ -287,15 +287,18 @@ class Session:
 
     def _picture(self, shown: Shown) -> dict[str, Any]:
         bench, now = self._bench, shown.conditions
-        # The shape of a plant does not depend on its place.
-        stand = bench.place(bench.own).stand
+        # The shape of a plant depends on its place only by plasticity.
+        stand = bench.place(now if bench.is_plastic else bench.own).stand
         growth = bench.growth if now.when == "season" else None
 
         def draw(genome: Genome) -> dict[str, Any]:
             return make_plant(stand, genome, shown.component, growth, now.age)
 
         # The reference plant seldom changes.
-        key = shown.reference.tobytes(), shown.component, now.when, now.age
+        key = (
+            *(shown.reference.tobytes(), shown.component, now.when, now.age),
+            now.density if bench.is_plastic else 0,
+        )
         if self._drawn[0] != key:
             self._drawn = key, draw(shown.reference)
         return {

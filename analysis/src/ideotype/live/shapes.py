@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..common.compiled import _core
-from ..mesh.geometry import Mesh
 from ..report.scene import describe_shape, pack_vertices
 from ..stand.stand import Stand
 from .conditions import Conditions, Tables
@@ -40,17 +39,17 @@ class Growth:
         self._times: NDArray[np.float64] | None = None
         self.days = len(daily)
 
-    def mesh(self, crop_text: str, age: int) -> tuple[Mesh, float]:
-        """Returns a plant on a day after emergence, and its thermal time
-        [deg C d]."""
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "plant.toml"
-            path.write_text(crop_text, encoding="utf-8")
-            crop = _core.GrowingCrop(str(path))
+    def thermal_time(self, stand: Stand, age: int) -> float:
+        """Returns the thermal time on a day after emergence [deg C d], at most
+        that of maturity."""
         if self._times is None:
-            self._times = np.array(crop.season(self._hourly)[0])
-        time = float(self._times[min(age, len(self._times) - 1)])
-        return Mesh.of(*crop.mesh(min(time, crop.maturity))), time
+            with tempfile.TemporaryDirectory() as folder:
+                path = Path(folder) / "plant.toml"
+                path.write_text(stand.crop_file(stand.baseline), "utf-8")
+                crop = _core.GrowingCrop(str(path))
+            times = np.array(crop.season(self._hourly)[0])
+            self._times = np.minimum(times, crop.maturity)
+        return float(self._times[min(age, len(self._times) - 1)])
 
     def date(self, age: int) -> str:
         """Returns the date of a day after emergence."""
@@ -67,7 +66,8 @@ def make_plant(
     """Returns a plant in the form that the page draws, with the area of each
     leaf [m2]."""
     if growth is not None and age and component == 0:
-        mesh, _ = growth.mesh(stand.crop_file(genome), age)
+        time = growth.thermal_time(stand, age)
+        mesh = stand.mesh(genome, component, time)
     else:
         mesh = stand.mesh(genome, component)
     shape = describe_shape(mesh)

@@ -28,7 +28,7 @@ double reach_of(const Spec& spec, const Crop& crop,
     };
     for (const Plant* plant : {&crop.baseline, &largest}) {
         reach(*plant);
-        if (!plant->plasticity.is_any()) continue;
+        if (plant->plasticity.responses.empty()) continue;
         for (const NamedSpacing& each : spec.spacings)
             reach(respond(*plant, each.value.plants_per_area()));
     }

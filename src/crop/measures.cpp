@@ -70,4 +70,15 @@ std::vector<MeasureInfo> measures(Plant& plant) {
     return infos;
 }
 
+std::vector<std::string> measure_names(Plant plant) {
+    std::vector<std::string> names;
+    for (const MeasureInfo& each : measures(plant)) names.push_back(each.name);
+    return names;
+}
+
+bool follows_internodes(const Plant& plant, const std::string& measure) {
+    return (measure == "leaf.insertion_height" || measure == "stalk.height") &&
+           !plant.leaves.empty() && plant.leaves.back().internode > 0;
+}
+
 }  // namespace ideotype

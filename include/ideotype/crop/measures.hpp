@@ -138,4 +138,11 @@ std::optional<MeasureInfo> find_measure(Plant& plant, const std::string& name);
 //! organ.
 std::vector<MeasureInfo> measures(Plant& plant);
 
+//! Returns the names of all measures of a plant.
+std::vector<std::string> measure_names(Plant plant);
+
+//! Returns whether a measure follows from the internodes of a plant, so that
+//! nothing else may change it.
+bool follows_internodes(const Plant& plant, const std::string& measure);
+
 }  // namespace ideotype

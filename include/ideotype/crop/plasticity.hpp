@@ -13,9 +13,9 @@ struct Plant;
 //! The response of measures of a plant to the density of its stand. With d the
 //! density relative to Plasticity::reference, a scaled measure is multiplied by
 //! d^s, and s ln(d) is added to a shifted measure. Both are linear in the
-//! logarithm of density, which fits sizes of maize organs at 4.5 to 15 plants
-//! m-2 better than a linear function for most phytomers (He and others 2020,
-//! doi:10.3389/fpls.2020.533514, abstract).
+//! logarithm of density. Sizes of most phytomers of maize at 4.5 to 15 plants
+//! m-2 follow a logarithmic and a linear term (He and others 2020,
+//! doi:10.3389/fpls.2020.533514, abstract), of which only the first is used.
 struct DensityResponse {
     //! Measures such as "leaf.length" that are scaled, and those that are
     //! shifted.
@@ -49,9 +49,6 @@ struct Plasticity {
     //! The angle by which the plane of a plant's leaves turns, relative to its
     //! angle from the direction of the gap.
     double turn = 0;
-
-    //! Returns whether a plant depends on density.
-    bool is_any() const { return !responses.empty() || turn > 0; }
 };
 
 //! Returns the angle by which leaves turn at a density [m-2], relative to their

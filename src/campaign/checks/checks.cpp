@@ -143,15 +143,18 @@ void check_positions(const Spec& spec, const Problems& problems) {
 
 //! Warns if the leaf area index of the baseline is unrealistic.
 void check_leaf_area(const Spec& spec, const Problems& problems) {
-    Plant baseline = spec.plant.crop.baseline;
-    if (!spec.plant.is_plastic) baseline.plasticity = {};
+    const Plant& baseline = spec.plant.crop.baseline;
+    const auto area_of = [&](const Plant& plant) {
+        return plant_area(build_plant(plant, spec.plant.tessellation)).leaves;
+    };
+    const bool responds =
+        spec.plant.is_plastic && !baseline.plasticity.responses.empty();
+    const double area = area_of(baseline);
     for (std::size_t i = 0; i < spec.spacings.size(); ++i) {
         const Spacing& spacing = spec.spacings[i].value;
         const double density = spacing.plants_per_area();
-        const Mesh body =
-            build_plant(respond(baseline, density), spec.plant.tessellation);
-        const std::string doubt =
-            doubt_of_lai(plant_area(body).leaves * density);
+        const std::string doubt = doubt_of_lai(
+            density * (responds ? area_of(respond(baseline, density)) : area));
         problems.in("spacing", i)
             .doubt({"row"}, !doubt.empty(),
                    "spacing.row is {} m (with {} m between plants the baseline "

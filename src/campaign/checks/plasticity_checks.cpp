@@ -19,13 +19,10 @@ void check_measures(const std::string& key,
     for (const std::string& name : names) {
         const auto measure = find_measure(plant, name);
         if (!measure) {
-            std::vector<std::string> known;
-            for (const MeasureInfo& each : measures(plant))
-                known.push_back(each.name);
             problems.add(key, ProblemCode::unknown_name,
                          "response.{} names \"{}\" (the plant has no such "
                          "measure); {}",
-                         key, name, did_you_mean(name, known));
+                         key, name, did_you_mean(name, measure_names(plant)));
             continue;
         }
         problems.rule({key, "slope"},
@@ -34,9 +31,7 @@ void check_measures(const std::string& key,
                       "has once); give one value",
                       response.slopes.size(), name);
         problems.rule(
-            {key},
-            (name == "leaf.insertion_height" || name == "stalk.height") &&
-                !plant.leaves.empty() && plant.leaves.back().internode > 0,
+            {key}, follows_internodes(plant, name),
             "response.{} names {} (which follows from the internodes); name "
             "leaf.internode",
             key, name);

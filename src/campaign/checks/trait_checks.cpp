@@ -83,7 +83,6 @@ class TraitCheck {
 
     void check(const std::string& name, const MeasureInfo& measure) {
         const bool is_per_plant = trait_.numbers == TraitNumbers::plant;
-        const std::vector<Leaf>& leaves = plant_.leaves;
         const std::string unit =
             trait_.effect == TraitEffect::scales ? "1" : measure.unit;
         const auto& [least, most] = measure.limits;
@@ -95,8 +94,7 @@ class TraitCheck {
              "sets " + name +
                  " (each leaf has its own value); scale or shift it, or write "
                  "per = \"leaf\"");
-        rule((name == "leaf.insertion_height" || name == "stalk.height") &&
-                 !leaves.empty() && leaves.back().internode > 0,
+        rule(follows_internodes(plant_, name),
              "acts on " + name +
                  " (which follows from the internodes); act on leaf.internode");
         problems_.rule({"unit", list_key()}, trait_.unit != unit,
@@ -113,13 +111,10 @@ class TraitCheck {
     }
 
     void report_unknown(const std::string& name) {
-        std::vector<std::string> known;
-        for (const MeasureInfo& each : measures(plant_))
-            known.push_back(each.name);
         problems_.add(
             list_key(), ProblemCode::unknown_name,
             "trait {} acts on \"{}\" (the plant has no such measure); {}",
-            trait_.name, name, did_you_mean(name, known));
+            trait_.name, name, did_you_mean(name, measure_names(plant_)));
     }
 
     const TraitEntry& entry_;

@@ -41,6 +41,23 @@ def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
     )
 
 
+def real_within(
+    given: ArrayLike, name: str, lower: float, upper: float
+) -> NDArray[np.float64]:
+    """Returns an array of real numbers within a range.
+
+    Raises Error like real(), and for numbers outside of the range or NaN."""
+    numbers = real(given, name)
+    outside = ~((numbers >= lower) & (numbers <= upper))
+    if outside.any():
+        value = numbers[outside].flat[0]
+        raise Error(
+            f"{name} is {value:g}, outside {lower:g} to {upper:g}; "
+            "check its unit"
+        )
+    return numbers
+
+
 def unmasked(given: _Given, name: str) -> _Given:
     """Returns the argument unchanged. Raises Error if it is or contains a
     masked array."""

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..common.arrays import real
+from ..common.arrays import real_within
 from ..common.compiled import _core
 from ..errors import Error, did_you_mean
 
@@ -111,8 +111,8 @@ def leaf_energy_balance(
     for parameters in stomata.values():
         ranges = ranges | parameters
     arrays = {
-        name: _numbers(name, given.get(name, limits[0]), limits)
-        for name, limits in ranges.items()
+        name: real_within(given.get(name, initial), name, lower, upper)
+        for name, (initial, lower, upper) in ranges.items()
     }
     try:
         shape = np.broadcast_shapes(
@@ -165,17 +165,3 @@ def _choices(given: Any) -> NDArray[np.float64]:
         if name not in names:
             raise Error(f"stomata is {name!r}; use one of {', '.join(names)}")
     return np.asarray(chosen == names[1], float)
-
-
-def _numbers(
-    name: str, given: Any, limits: tuple[float, float, float]
-) -> NDArray[np.float64]:
-    numbers = real(given, name)
-    outside = ~((numbers >= limits[1]) & (numbers <= limits[2]))
-    if outside.any():
-        value = numbers[outside].flat[0]
-        raise Error(
-            f"{name} is {value:g}, outside {limits[1]:g} to {limits[2]:g}; "
-            "check its unit"
-        )
-    return numbers

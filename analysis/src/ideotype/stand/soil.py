@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..common.arrays import real
+from ..common.arrays import real_within
 from ..common.compiled import _core
 from ..errors import Error, did_you_mean
 
@@ -114,15 +114,8 @@ def _require(
 def _numbers(
     name: str, given: Any, limits: tuple[float, float], dimensions: int
 ) -> Any:
-    numbers = real(given, name)
+    numbers = real_within(given, name, *limits)
     if numbers.ndim != dimensions:
         kind = "one number for each day" if dimensions else "a number"
         raise Error(f"{name} has the shape {numbers.shape}; give {kind}")
-    outside = ~((numbers >= limits[0]) & (numbers <= limits[1]))
-    if outside.any():
-        value = numbers[outside].flat[0]
-        raise Error(
-            f"{name} is {value:g}, outside {limits[0]:g} to {limits[1]:g}; "
-            "check its unit"
-        )
     return numbers

@@ -70,6 +70,14 @@ TEST(Plasticity, IsWrittenAsItIsRead) {
     const Campaign again = parse_campaign(campaign.resolved, "again.toml");
     EXPECT_EQ(again.resolved, campaign.resolved);
     EXPECT_EQ(first_leaf(again).width, first_leaf(campaign).width);
+    // Leaves may turn without a reference density.
+    const Campaign turning = sample("", R"([plant.baseline.plasticity]
+turning = [4, 9]
+turn = 0.5
+)");
+    EXPECT_NE(turning.resolved.find("turn = 0.5"), std::string::npos);
+    EXPECT_EQ(parse_campaign(turning.resolved, "again.toml").resolved,
+              turning.resolved);
     // Crops without plasticity are written as before.
     const Campaign rigid = sample();
     EXPECT_EQ(rigid.resolved.find("plasticity"), std::string::npos);

@@ -86,7 +86,8 @@ bool has_petioles(const CropSpec& crop) {
     return has_petioles(crop.baseline);
 }
 bool states_plasticity(const CropSpec& crop) {
-    return crop.baseline.plasticity.reference > 0;
+    const Plasticity& plasticity = crop.baseline.plasticity;
+    return plasticity.reference > 0 || plasticity.turn > 0;
 }
 bool states_leaves(const CropSpec& crop) {
     return !crop.leaf_files.empty();

@@ -80,7 +80,8 @@ LightSeries to_series(const SiteWeather& weather, const Site& here) {
                                     {},
                                     at(weather.wind, i),
                                     at(weather.pressure, i),
-                                    at(weather.longwave, i)});
+                                    at(weather.longwave, i),
+                                    at(weather.rain, i)});
             for (std::size_t b = 0; b < wavebands.size(); ++b)
                 series.steps.back().*wavebands[b].light = {
                     at(weather.beam[b], i).value_or(0),

@@ -308,4 +308,53 @@ void check_water(const Spec& spec, const Problems& problems) {
     }
 }
 
+void check_soil(const Spec& spec, const Problems& problems) {
+    const Problems of_irrigation = problems.in("irrigation");
+    if (spec.irrigation) {
+        const IrrigationSpec& plan = *spec.irrigation;
+        of_irrigation.rule({"depletion"}, !spec.soil,
+                           "irrigation is given (but no soil, to which it adds "
+                           "water); add [soil]");
+        of_irrigation.rule(
+            {"amounts", "dates"},
+            plan.amounts.size() > 1 || plan.dates.empty()
+                ? plan.amounts.size() != plan.dates.size()
+                : plan.amounts.empty(),
+            "irrigation.amounts has {} values (for {} dates); give one for "
+            "each date, or one for all",
+            plan.amounts.size(), plan.dates.size());
+    }
+    if (!spec.soil) return;
+    const Problems of_soil = problems.in("soil");
+    const Soil soil = spec.soil->soil();
+    of_soil.rule({"root_depth"}, !plants_grow(spec),
+                 "soil is given (it dries in the season of plants that grow); "
+                 "add emergence to [[climate]], or remove [soil]");
+    of_soil.rule({"root_depth"},
+                 !spec.water || !spec.water->rules.has_leaf_temperature,
+                 "soil is given (stomata close as it dries, which changes leaf "
+                 "temperature); add [water] with leaf_temperature = true");
+    of_soil.rule({"wilting_point", "field_capacity"},
+                 soil.wilting_point >= soil.field_capacity,
+                 "soil.wilting_point is {} (field capacity is {}); give less",
+                 soil.wilting_point, soil.field_capacity);
+    of_soil.rule(
+        {"readily_evaporable", "total_evaporable"},
+        soil.readily_evaporable > soil.total_evaporable,
+        "soil.readily_evaporable is {} (total_evaporable is {}); give at most "
+        "as much",
+        soil.readily_evaporable, soil.total_evaporable);
+    for (std::size_t c = 0; c < spec.climates.size(); ++c) {
+        const auto& [name, climate] = spec.climates[c];
+        if (!climate.grows()) continue;
+        for (const SiteWeather& weather : spec.weathers)
+            problems.in("climate", c)
+                .rule(
+                    {"rain"}, weather.climate == name && weather.rain.empty(),
+                    "climate \"{}\" has no rain (which [soil] needs); name its "
+                    "column, rain = [\"rain\", \"mm\"]",
+                    name);
+    }
+}
+
 }  // namespace ideotype

@@ -34,6 +34,10 @@ void check_leaf_models(const Spec& spec, const Problems& problems);
 Stomata to_stomata(const WaterSpec& table,
                    const Photosynthesis& photosynthesis);
 
+//! Reports what soil that dries requires, and contradictions of [soil] and
+//! [irrigation].
+void check_soil(const Spec& spec, const Problems& problems);
+
 //! Reports leaf models that do not respond to CO2, if [water] requires a
 //! response.
 void check_water(const Spec& spec, const Problems& problems);

@@ -6,6 +6,8 @@
 
 #include "campaign.hpp"
 #include "ideotype/canopy/assimilation.hpp"
+#include "ideotype/physiology/temperature.hpp"
+#include "season_days.hpp"
 #include "spec/problems.hpp"
 
 namespace ideotype {
@@ -267,6 +269,61 @@ Stage stage_on(const Campaign& campaign, const Case& one,
     stage.ages_before = ages_before(campaign);
     stage.date = series.steps[step].date;
     return stage;
+}
+
+std::vector<SeasonDay> season_days(const Campaign& campaign,
+                                   const Case& scenario) {
+    Case whole = scenario;
+    whole.stages.clear();
+    whole.stage.reset();
+    const LightSeries series = light_of(campaign, whole);
+    const Season season = season_of(campaign, whole, series);
+    const Growth& growth = *campaign.crop.growth;
+    std::vector<SeasonDay> days;
+    for (std::size_t first = season.begin, last = 0; first < season.end;
+         first = last) {
+        SeasonDay& day = days.emplace_back();
+        day.date = series.steps[first].date;
+        for (last = first;
+             last < season.end && series.steps[last].date == day.date;)
+            ++last;
+        const std::span steps(&series.steps[first], last - first);
+        const auto hours = static_cast<double>(steps.size());
+        day.thermal_time = season.times[first + steps.size() / 2];
+        const double maintenance = growth.ear_maintenance *
+                                   maintenance_factor(growth, day.thermal_time);
+        AirOfDay air;
+        for (const TimeStep& step : steps) {
+            day.rain += step.rain.value_or(0);
+            const double t = step.temperature.value_or(Air{}.temperature);
+            day.filling += filling_rate(t) / hours;
+            day.ear_maintenance += dry_matter_per_carbon * mol_per_umol *
+                                   step.seconds *
+                                   maintenance_respiration(maintenance, t);
+            if (!campaign.water) continue;
+            constexpr double mega = 1e-6;
+            const double k = t + kelvin;
+            air.temperature += t / hours;
+            air.deficit += saturated_vapour(t) *
+                           (1 - step.humidity.value_or(Air{}.humidity)) / hours;
+            air.wind += *step.wind * 4.87 /
+                        std::log(67.8 * series.wind_height - 5.42) / hours;
+            air.pressure += (*step.pressure - AirOfDay{}.pressure) / hours;
+            air.radiation += mega * step.seconds *
+                             (step.par.beam + step.par.diffuse + step.nir.beam +
+                              step.nir.diffuse);
+            air.longwave_loss +=
+                mega * step.seconds *
+                (stefan_boltzmann * k * k * k * k - *step.longwave);
+        }
+        if (campaign.water) day.reference = reference_evapotranspiration(air);
+    }
+    return days;
+}
+
+bool fills_grain(const Campaign& campaign) {
+    return campaign.crop.grain && campaign.photosynthesis &&
+           plants_grow(campaign.spec) && campaign.components.empty();
 }
 
 LightSeries at_stage(const Campaign& campaign, const Case& chosen,

@@ -37,7 +37,8 @@ bool check_climate(const Climate& climate, const Problems& problems) {
           std::pair("humidity", &columns.humidity),
           std::pair("wind", &columns.wind),
           std::pair("pressure", &columns.pressure),
-          std::pair("longwave", &columns.longwave)}) {
+          std::pair("longwave", &columns.longwave),
+          std::pair("rain", &columns.rain)}) {
         if (!problems.usable({key})) return false;
         if (!*column || !columns.time.empty()) continue;
         problems.add(key, ProblemCode::missing,
@@ -72,6 +73,7 @@ SiteWeather to_site_weather(const LightSeries& series,
         if (step.wind) result.wind.push_back(*step.wind);
         if (step.pressure) result.pressure.push_back(*step.pressure);
         if (step.longwave) result.longwave.push_back(*step.longwave);
+        if (step.rain) result.rain.push_back(*step.rain);
         for (std::size_t b = 0; b < follows.size(); ++b) {
             if (!follows[b]) continue;
             result.beam[b].push_back((step.*wavebands[b].light).beam);
@@ -111,6 +113,7 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
     of_steps("wind", weather.wind, 0, 0);
     of_steps("pressure", weather.pressure, 0, 1);
     of_steps("longwave", weather.longwave, 0, 0);
+    of_steps("rain", weather.rain, 0, 0);
     for (std::size_t b = 0; b < wavebands.size(); ++b) {
         // PAR is required. In other wavebands, beam and diffuse light must be
         // given together.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "ideotype/canopy/water.hpp"
 #include "ideotype/core/contract.hpp"
 #include "water/water_fluxes.hpp"
 
@@ -33,7 +34,7 @@ class Assimilation {
         if (lit.air) water_.emplace(lit, places_, expectation_, all_);
     }
 
-    FluxTallies result() {
+    CanopyFluxes result() {
         std::map<int, std::map<int, std::vector<std::size_t>>> steps;
         for (std::size_t i = 0; i < light_.beam_of.size(); ++i)
             if (light_.beam_of[i] >= 0 || light_.sky_of[i] >= 0)
@@ -51,7 +52,8 @@ class Assimilation {
         if (water_) add_nights();
         for (std::size_t k = 0; k < all_.size(); ++k) add_up(k);
         if (water_) water_->add_drawn_to(all_);
-        return std::move(all_);
+        return {std::move(all_),
+                water_ ? water_->closed() : std::vector<ClosedStomata>{}};
     }
 
   private:
@@ -248,8 +250,8 @@ class Assimilation {
 
 }  // namespace
 
-FluxTallies assimilate(const std::vector<Tally>& tallies, const Pieces& pieces,
-                       const LitLeaves& lit) {
+CanopyFluxes assimilate(const std::vector<Tally>& tallies, const Pieces& pieces,
+                        const LitLeaves& lit) {
     // The jackknife of a product omits two randomisations at a time.
     IDEOTYPE_EXPECT(tallies.size() == 1 || tallies.size() > 2);
     IDEOTYPE_EXPECT(lit.photons > 0);

@@ -342,6 +342,36 @@ std::vector<double> late_net(const std::vector<FluxTally>& tallies,
     return net;
 }
 
+//! Returns gross assimilation less respiration on each date, by randomisation.
+//! @param tallies tallies of AssimilationReport::before_losses()
+std::vector<std::vector<double>> net_of_dates(
+    const std::vector<FluxTally>& tallies, const std::vector<LeafGroup>& leaves,
+    const std::vector<double>& leaf_area_index, const LightSeries& series) {
+    const auto steps_of_dates = series.steps_of_dates();
+    std::vector<std::vector<double>> net(
+        tallies.size(), std::vector<double>(steps_of_dates.size()));
+    for (std::size_t d = 0; d < steps_of_dates.size(); ++d) {
+        for (const std::size_t i : steps_of_dates[d])
+            for (std::size_t r = 0; r < tallies.size(); ++r)
+                net[r][d] += mol_per_umol * tallies[r].steps[i] *
+                             series.steps[i].seconds;
+        for (std::size_t g = 0; g < leaves.size(); ++g) {
+            if (!leaves[g].photosynthesis) continue;
+            double of_unit = 0;
+            for (const std::size_t i : steps_of_dates[d])
+                of_unit += series.days *
+                           respiration(leaves[g], 1, series, series.steps[i]);
+            for (std::size_t r = 0; r < tallies.size(); ++r) {
+                const std::vector<double>& own = tallies[r].leaf_area;
+                net[r][d] -=
+                    of_unit *
+                    respiring(leaves, g, own.empty() ? leaf_area_index : own);
+            }
+        }
+    }
+    return net;
+}
+
 //! Returns losses by randomisation. They depend on the leaf area of the field.
 std::vector<std::vector<CarbonLoss>> losses_by_randomisation(
     const AssimilationReport& report, const std::vector<LeafGroup>& leaves,
@@ -423,7 +453,7 @@ AssimilationReport report(std::vector<FluxTally> uptake,
                           const std::vector<FluxTally>& respired,
                           const std::vector<LeafGroup>& leaves,
                           const std::vector<double>& leaf_area_index,
-                          const SeriesIllumination& light) {
+                          const SeriesIllumination& light, bool is_by_date) {
     IDEOTYPE_EXPECT(leaves.size() == leaf_area_index.size());
     AssimilationReport result;
     const LightSeries& series = light.series;
@@ -458,6 +488,9 @@ AssimilationReport report(std::vector<FluxTally> uptake,
     if (!tallies.front().leaf_area.empty())
         result.losses_by_randomisation =
             losses_by_randomisation(result, leaves, leaf_area_index);
+    if (is_by_date)
+        result.net_of_dates =
+            net_of_dates(tallies, leaves, leaf_area_index, series);
     add_ears(leaves, result);
     if (series.grows) {
         result.late_net = late_net(tallies, leaves, leaf_area_index, series);

@@ -57,19 +57,91 @@ std::vector<FieldLight> light_in_others(const Evaluation& evaluation,
 
 }  // namespace
 
-CanopyReport evaluate(const CanopyRequest& request, const Device& device,
-                      const Clock& clock, int threads) {
+struct LitCanopy::Parts {
+    Parts(CanopyRequest of, const Device& device, const Clock& clock,
+          int threads)
+        : request(std::move(of)) {
+        FirstField first = first_field(evaluation, device, clock);
+        look = std::move(first.look);
+        light = std::move(first.light);
+        for (FieldLight& each :
+             light_in_others(evaluation, look, device, clock, threads))
+            light.append(std::move(each));
+        for (ClosedStomata& each : light.fluxes.closed)
+            for (std::vector<double>& flux : each)
+                for (double& x : flux) x /= light.fields;
+    }
+
+    CanopyRequest request;
+    Scene split =
+        request.details.faces ? with_a_group_per_face(request.scene) : Scene{};
+    Evaluation evaluation{request,
+                          request.details.faces ? split : request.scene};
+    FirstLook look{};
+    FieldLight light{};
+};
+
+LitCanopy::LitCanopy(CanopyRequest request, const Device& device,
+                     const Clock& clock, int threads) {
     IDEOTYPE_EXPECT(request.scene.cell.ground_area > 0);
     IDEOTYPE_EXPECT(request.layers.count > 0 && request.details.pieces > 0);
     IDEOTYPE_EXPECT(threads > 0);
-    std::optional<Scene> split;
-    if (request.details.faces) split = with_a_group_per_face(request.scene);
-    const Evaluation evaluation{request, split ? *split : request.scene};
-    auto [look, light] = first_field(evaluation, device, clock);
-    for (FieldLight& each :
-         light_in_others(evaluation, look, device, clock, threads))
-        light.append(std::move(each));
-    return report_on(evaluation, look, light);
+    parts_ =
+        std::make_unique<Parts>(std::move(request), device, clock, threads);
+}
+
+LitCanopy::LitCanopy(LitCanopy&&) noexcept = default;
+LitCanopy::~LitCanopy() = default;
+
+const Scene& LitCanopy::scene() const {
+    return parts_->evaluation.scene;
+}
+
+const CanopyFluxes& LitCanopy::fluxes() const {
+    return parts_->light.fluxes;
+}
+
+std::vector<std::vector<double>> LitCanopy::light_on_soil() const {
+    const Bands& bands = scene().bands;
+    const LightSeries& series = scene().light().series;
+    const auto steps_of_dates = series.steps_of_dates();
+    const std::size_t count = parts_->light.light.front().size();
+    std::vector<std::vector<double>> shares(
+        count, std::vector<double>(steps_of_dates.size()));
+    std::vector<double> above(steps_of_dates.size());
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        const auto absorbed =
+            absorbed_by_soil(parts_->light.light[b], bands[b].light);
+        const double kept = 1 - bands[b].optics.soil_albedo;
+        for (std::size_t d = 0; d < steps_of_dates.size(); ++d)
+            for (const std::size_t i : steps_of_dates[d]) {
+                const TimeStep& step = bands[b].light.series.steps[i];
+                above[d] += step.seconds * (step.par.beam + step.par.diffuse);
+                for (std::size_t r = 0; r < count && kept > 0; ++r)
+                    shares[r][d] += step.seconds * absorbed[r][i] / kept;
+            }
+    }
+    for (std::vector<double>& each : shares)
+        for (std::size_t d = 0; d < each.size(); ++d)
+            each[d] = above[d] > 0 ? each[d] / above[d] : 0;
+    return shares;
+}
+
+void LitCanopy::close_stomata(const std::vector<Closure>& closures) {
+    FieldLight& light = parts_->light;
+    ideotype::close_stomata(
+        closures, parts_->look.leaves,
+        {light.leaf_area_index, light.leaf_area_of_layers, light.areas_of_rows},
+        scene().light().series, light.fluxes);
+}
+
+CanopyReport LitCanopy::report() const {
+    return report_on(parts_->evaluation, parts_->look, parts_->light);
+}
+
+CanopyReport evaluate(const CanopyRequest& request, const Device& device,
+                      const Clock& clock, int threads) {
+    return LitCanopy(request, device, clock, threads).report();
 }
 
 RayScene build_scene(const Device& device, const Field& field) {

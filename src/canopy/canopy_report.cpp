@@ -223,16 +223,19 @@ class Reporter {
         const bool have_temperature =
             scene_.water && scene_.water->has_leaf_temperature;
         result_.assimilation = ideotype::report(
-            found_.fluxes.front(),
+            found_.fluxes.tallies.front(),
             have_temperature
-                ? found_.fluxes[static_cast<std::size_t>(LeafFlux::respiration)]
+                ? found_.fluxes
+                      .tallies[static_cast<std::size_t>(LeafFlux::respiration)]
                 : std::vector<FluxTally>{},
-            look_.leaves, leaf_area_index, scene_.light());
-        if (found_.fluxes.size() > 1) {
+            look_.leaves, leaf_area_index, scene_.light(),
+            request_.details.grain);
+        if (found_.fluxes.tallies.size() > 1) {
             std::vector<double> layers = found_.leaf_area_of_layers;
             for (double& index : layers) index /= found_.fields;
-            result_.water = ideotype::report(found_.fluxes, std::move(layers),
-                                             scene_.light().series);
+            result_.water =
+                ideotype::report(found_.fluxes.tallies, std::move(layers),
+                                 scene_.light().series);
         }
         if (lines_.are_cut)
             result_.hit_by_sun =

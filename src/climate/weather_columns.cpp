@@ -15,7 +15,15 @@ namespace {
 
 using namespace std::chrono;
 
-enum class Measured { energy, photons, fraction, temperature, speed, pressure };
+enum class Measured {
+    energy,
+    photons,
+    fraction,
+    temperature,
+    speed,
+    pressure,
+    depth
+};
 
 //! A spelling of a unit, reduced to lower-case letters, digits and %, with the
 //! spelling used in campaigns.
@@ -59,6 +67,12 @@ constexpr std::array spellings{
     Spelling{Measured::pressure, "hpa", "hPa"},
     Spelling{Measured::pressure, "mbar", "mbar"},
     Spelling{Measured::pressure, "pa", "Pa"},
+    Spelling{Measured::depth, "mm", "mm"},
+    Spelling{Measured::depth, "in", "in"},
+    Spelling{Measured::depth, "inch", "in"},
+    Spelling{Measured::depth, "mmh", "mm/h"},
+    Spelling{Measured::depth, "mmh1", "mm/h"},
+    Spelling{Measured::depth, "mmhour", "mm/h"},
 };
 
 //! A quantity, and the beginnings of column names that denote it, as simplify()
@@ -91,6 +105,7 @@ const std::vector<Meaning> meanings{
      {"rh", "humidity", "relhum", "relativehumidity"}},
     {&ColumnMap::wind, Measured::speed, {"wind", "ws"}},
     {&ColumnMap::pressure, Measured::pressure, {"pressure", "press"}},
+    {&ColumnMap::rain, Measured::depth, {"rain", "precip", "prectot"}},
 };
 
 //! Reduces a text to lower-case letters, digits and percent signs; the micro

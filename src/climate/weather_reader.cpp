@@ -164,6 +164,7 @@ Weather parse_weather(const std::string& text, const WeatherRequest& request) {
     // Convert each step to PAR and near infrared.
     LightSeries series;
     series.utc_offset = table.utc_offset;
+    const bool has_rain = table.columns.rain.has_value();
     const auto seconds = static_cast<double>(table.step.count());
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const WeatherStep& step = steps[i];
@@ -177,10 +178,12 @@ Weather parse_weather(const std::string& text, const WeatherRequest& request) {
                 ? par_share(par.beam + par.diffuse,
                             extraterrestrial_normal(date), step.sun.zenith)
                 : request.par_fraction;
-        series.steps.push_back({hour_at(step.middle), seconds, step.sun, par,
-                                date, step.values.temperature, humidity,
-                                complement_par(par, share), step.values.wind,
-                                step.values.pressure, step.values.longwave});
+        series.steps.push_back(
+            {hour_at(step.middle), seconds, step.sun, par, date,
+             step.values.temperature, humidity, complement_par(par, share),
+             step.values.wind, step.values.pressure, step.values.longwave,
+             has_rain ? std::optional(step.values.rain.value_or(0))
+                      : std::nullopt});
     }
     series.days = static_cast<int>(series.dates().size());
     return {std::move(series), findings.warnings()};

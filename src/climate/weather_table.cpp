@@ -41,6 +41,7 @@ ColumnMap map_native_columns(ColumnMap columns,
     add(columns.wind, "wind", "m/s");
     add(columns.pressure, "pressure", "kPa");
     add(columns.longwave, "longwave", "W/m2");
+    add(columns.rain, "rain", "mm/h");
     return columns;
 }
 

@@ -166,6 +166,7 @@ struct WeatherValues {
     std::optional<double> wind;         //!< speed [m s-1]
     std::optional<double> pressure;     //!< air pressure [kPa]
     std::optional<double> longwave;     //!< radiation of the sky [W m-2]
+    std::optional<double> rain;         //!< rain during the step [mm]
 
     //! Returns whether the values suffice to compute the light on the ground.
     bool lit() const { return global || (beam_normal && diffuse); }

@@ -12,10 +12,11 @@ namespace ideotype {
 
 namespace {
 
-enum class Kind { light, fraction, temperature, speed, pressure };
+enum class Kind { light, fraction, temperature, speed, pressure, depth };
 
-//! Whether light is given as power, as energy per time step, or as photons.
-enum class Per { itself, second, photon };
+//! Whether a value is given as such or per hour, and whether light is given as
+//! power, as energy per time step, or as photons.
+enum class Per { itself, second, photon, hour };
 
 //! The linear conversion of a number in a file to the program's unit: number
 //! times factor plus offset.
@@ -52,6 +53,9 @@ constexpr std::array units{
     Unit{Kind::pressure, "hPa", {0.1}},
     Unit{Kind::pressure, "mbar", {0.1}},
     Unit{Kind::pressure, "Pa", {1e-3}},
+    Unit{Kind::depth, "mm", {}},
+    Unit{Kind::depth, "in", {25.4}},
+    Unit{Kind::depth, "mm/h", {1. / 3600}, Per::hour},
 };
 
 //! Normalises the spelling of a unit.
@@ -110,6 +114,8 @@ std::vector<Source> find_sources(WeatherTable& table, double par_fraction,
             source.scale = unit.scale;
             if (unit.per == Per::second)
                 source.scale.factor /= static_cast<double>(table.step.count());
+            if (unit.per == Per::hour)
+                source.scale.factor *= static_cast<double>(table.step.count());
             if (unit.per == Per::photon) {
                 source.scale.factor /= mol_per_mj_par * par_fraction;
                 if (source.target == decisive) table.counts_photons = true;
@@ -140,6 +146,7 @@ std::vector<Source> find_sources(WeatherTable& table, double par_fraction,
         {0, {}, &Values::pressure, 40, 110, "kPa"});
     add(columns.longwave, Kind::light,
         {0, {}, &Values::longwave, 50, 700, "W m-2"});
+    add(columns.rain, Kind::depth, {0, {}, &Values::rain, 0, 2000, "mm"});
     if (!columns.global && !(columns.beam_normal && columns.diffuse))
         findings.add(static_cast<int>(table.header_line), 1,
                      "no column contains the light; name the column of global "

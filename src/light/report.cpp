@@ -212,6 +212,26 @@ DayReport report(const std::vector<Tally>& tallies,
     return result;
 }
 
+std::vector<std::vector<double>> absorbed_by_soil(
+    const std::vector<Tally>& tallies, const SeriesIllumination& illumination) {
+    const std::vector<TimeStep>& steps = illumination.series.steps;
+    std::vector<std::vector<double>> light;
+    for (const Tally& tally : tallies) {
+        std::vector<double>& of_tally = light.emplace_back(steps.size());
+        const auto of_source = [&](int source, double irradiance) {
+            if (source < 0) return 0.;
+            const auto s = static_cast<std::size_t>(source);
+            return irradiance / illumination.light.sources[s].energy *
+                   tally.sources[s].soil;
+        };
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            of_tally[i] =
+                of_source(illumination.beam_of[i], steps[i].par.beam) +
+                of_source(illumination.sky_of[i], steps[i].par.diffuse);
+    }
+    return light;
+}
+
 std::vector<Estimate> absorbed_by_group(const std::vector<Tally>& tallies) {
     IDEOTYPE_EXPECT(!tallies.empty());
     const Resolution resolution = resolution_of(tallies);

@@ -206,6 +206,13 @@ EnergyBalance energy_of(const Rates& rates, const ThermalLeaf& leaf,
 
 }  // namespace
 
+Stomata closed(Stomata stomata, double opening) {
+    IDEOTYPE_EXPECT(opening >= 0 && opening <= 1);
+    stomata.intercept *= opening;
+    stomata.opening *= opening;
+    return stomata;
+}
+
 LeafBalance balance(const Co2Leaf& leaf, const Stomata& stomata,
                     const SurfaceAir& air, double absorbed,
                     double temperature) {

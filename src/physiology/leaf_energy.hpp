@@ -23,9 +23,12 @@ inline constexpr double vapour_over_heat = 1.09;
 inline double stomatal_slope(const Stomata& stomata, double saturated,
                              double surface) {
     if (stomata.model == Stomata::Model::medlyn)
-        return 1.6 * (1 + stomata.slope /
+        return 1.6 * (1 + stomata.opening * stomata.slope /
                               std::sqrt(std::max(saturated - surface, 0.05)));
-    return stomata.slope * std::min(surface / saturated, 1.);
+    const double slope = stomata.slope * std::min(surface / saturated, 1.);
+    return stomata.opening < 1 && slope > 1.6
+               ? 1.6 + stomata.opening * (slope - 1.6)
+               : slope;
 }
 
 //! The energy balance of a point on a leaf at any temperature.

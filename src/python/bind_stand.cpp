@@ -102,6 +102,50 @@ nb::tuple evaluate(CaseStand& stand, const Input<double, 1>& genome,
         outcome.violation, to_array(outcome.quantities));
 }
 
+//! The numbers of a day, in the order of columns.
+constexpr std::pair<const char*, double (*)(const SeasonState&)> of_days[] = {
+    {"thermal_time", [](const SeasonState& x) { return x.day.thermal_time; }},
+    {"rain", [](const SeasonState& x) { return x.day.rain; }},
+    {"irrigation", [](const SeasonState& x) { return x.irrigation; }},
+    {"root_depth", [](const SeasonState& x) { return x.root_depth; }},
+    {"potential_transpiration",
+     [](const SeasonState& x) { return x.potential_transpiration; }},
+    {"potential_evaporation",
+     [](const SeasonState& x) { return x.potential_evaporation; }},
+    {"available", [](const SeasonState& x) { return x.available; }},
+    {"soil_water", [](const SeasonState& x) { return x.soil_water; }},
+    {"depletion", [](const SeasonState& x) { return x.water.depletion; }},
+    {"evaporable_depletion",
+     [](const SeasonState& x) { return x.water.evaporable_depletion; }},
+    {"transpiration",
+     [](const SeasonState& x) { return x.fluxes.transpiration; }},
+    {"evaporation", [](const SeasonState& x) { return x.fluxes.evaporation; }},
+    {"drainage", [](const SeasonState& x) { return x.fluxes.drainage; }},
+    {"runoff", [](const SeasonState& x) { return x.fluxes.runoff; }}};
+
+nb::dict to_dict(const SeasonState& state) {
+    nb::dict day;
+    day["date"] = to_string(state.day.date);
+    for (const auto& [name, value] : of_days) day[name] = value(state);
+    return day;
+}
+
+nb::list run_season(CaseStand& stand, const Input<double, 1>& genome,
+                    const std::optional<nb::callable>& control) {
+    const ControlDay ask = [&](const SeasonState& state) {
+        const nb::object answer = (*control)(to_dict(state));
+        const auto [stress, irrigation] =
+            nb::cast<std::tuple<std::optional<double>, std::optional<double>>>(
+                answer);
+        return DayControl{stress, irrigation};
+    };
+    nb::list days;
+    for (const SeasonState& state :
+         stand.season(to_vector(genome), control ? ask : ControlDay{}))
+        days.append(to_dict(state));
+    return days;
+}
+
 nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome,
                std::size_t component, std::optional<double> thermal_time) {
     return mesh_tuple(stand.mesh(to_vector(genome), component, thermal_time));
@@ -239,6 +283,8 @@ void bind_stand(nb::module_& module) {
             "scenarios",
             [](const CaseStand& x) { return names_of(scenarios(x.chosen())); })
         .def("light_on_sensors", &light_on_sensors)
+        .def("season", &run_season, nb::arg("genome"),
+             nb::arg("control").none())
         .def("crop_text", [](const CaseStand& x, const Input<double, 1>& genome,
                              std::size_t component) {
             return crop_text(x.campaign(),
@@ -330,6 +376,21 @@ std::vector<std::vector<Estimate>> CaseStand::light_on_sensors(
                    grow(campaign_, plain));
     return devices_.with([&](const Device& device) {
         return ideotype::light_on_sensors(request, device, sensors, points);
+    });
+}
+
+std::vector<SeasonState> CaseStand::season(const Genome& genome,
+                                           const ControlDay& control) {
+    Genome plain = genome;
+    if (const auto varied = at_own_keys(plain))
+        return varied->season(plain, control);
+    if (!campaign_.spec.soil)
+        throw Error(
+            "the soil of this stand does not dry; add [soil] to its "
+            "campaign");
+    const Sampling sampling = sampling_of({}, campaign_, chosen_);
+    return devices_.with([&](const Device& device) {
+        return stand_.season(grow(campaign_, plain), sampling, device, control);
     });
 }
 

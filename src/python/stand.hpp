@@ -91,6 +91,11 @@ class CaseStand {
         const Genome& genome, const std::vector<Sensor>& sensors, int fields,
         int points);
 
+    //! Returns the days of the first scenario's season, see Stand::season().
+    //! @throws Error if the campaign has no soil.
+    std::vector<SeasonState> season(const Genome& genome,
+                                    const ControlDay& control);
+
     //! Returns the light series of the case, or of its first scenario.
     LightSeries light() const;
 

@@ -41,6 +41,7 @@ void CropReader::read_key(const toml::node& baseline, const std::string& key) {
 
 void CropReader::read(const toml::table& table, const std::string& file) {
     crop_.growth.reset();
+    crop_.grain.reset();
     // The bounds of the default traits do not apply to other traits.
     if (table.contains("trait")) crop_.bounds.clear();
     KnownNames unknown;

@@ -135,6 +135,7 @@ Crop crop_of(const CropSpec& spec) {
     for (const TraitEntry& entry : spec.traits)
         crop.traits.push_back(complete(entry));
     crop.growth = spec.growth;
+    crop.grain = spec.grain;
     crop.variation = spec.variation;
     return crop;
 }
@@ -156,6 +157,24 @@ std::vector<std::string> all_organs(const Plant& plant) {
     if (has_petioles(plant)) names.push_back("petiole");
     for (const Organ& organ : plant.organs) names.push_back(organ.name);
     return names;
+}
+
+Soil SoilSpec::soil() const {
+    // FAO-56, table 19: the middles of ranges, in the order of Texture.
+    constexpr Soil textures[] = {
+        {.12, .045, 9, 4.5},     {.15, .065, 11.5, 6},  {.23, .11, 17.5, 8},
+        {.25, .12, 19, 9},       {.29, .15, 21.5, 9.5}, {.32, .17, 24, 9.5},
+        {.335, .205, 24.5, 9.5}, {.36, .23, 25, 10},    {.36, .22, 25.5, 10}};
+    Soil result = textures[static_cast<std::size_t>(texture)];
+    result.field_capacity = field_capacity.value_or(result.field_capacity);
+    result.wilting_point = wilting_point.value_or(result.wilting_point);
+    result.total_evaporable =
+        total_evaporable.value_or(result.total_evaporable);
+    result.readily_evaporable =
+        readily_evaporable.value_or(result.readily_evaporable);
+    result.depletion_fraction = depletion_fraction;
+    result.curve_number = curve_number;
+    return result;
 }
 
 }  // namespace ideotype

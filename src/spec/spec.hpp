@@ -20,6 +20,7 @@
 #include "ideotype/crop/crop.hpp"
 #include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
+#include "ideotype/physiology/soil_water.hpp"
 #include "search/settings.hpp"
 #include "search/stop_rules.hpp"
 
@@ -66,8 +67,9 @@ struct SiteWeather {
     //! Empty in wavebands that the campaign does not trace.
     ByBand<std::vector<double>> beam, diffuse;
     //! Air temperature [deg C], relative humidity (0 to 1), wind [m s-1],
-    //! pressure [kPa] and longwave radiation of the sky [W m-2]; may be empty.
-    std::vector<double> temperature, humidity, wind, pressure, longwave;
+    //! pressure [kPa], longwave radiation of the sky [W m-2] and rain [mm]; may
+    //! be empty.
+    std::vector<double> temperature, humidity, wind, pressure, longwave, rain;
 };
 
 //! The free traits; all others keep the values of the baseline.
@@ -141,6 +143,53 @@ struct WaterSpec {
     double limit = 0;  //!< largest transpiration over all days [mm]; 0: any
 };
 
+//! Textures of soils in FAO-56, table 19.
+enum class Texture {
+    sand,
+    loamy_sand,
+    sandy_loam,
+    loam,
+    silt_loam,
+    silt,
+    silty_clay_loam,
+    silty_clay,
+    clay
+};
+template <>
+inline constexpr std::array enum_names<Texture>{
+    EnumName{"sand", Texture::sand},
+    EnumName{"loamy_sand", Texture::loamy_sand},
+    EnumName{"sandy_loam", Texture::sandy_loam},
+    EnumName{"loam", Texture::loam},
+    EnumName{"silt_loam", Texture::silt_loam},
+    EnumName{"silt", Texture::silt},
+    EnumName{"silty_clay_loam", Texture::silty_clay_loam},
+    EnumName{"silty_clay", Texture::silty_clay},
+    EnumName{"clay", Texture::clay}};
+
+//! The table [soil].
+struct SoilSpec {
+    Texture texture = Texture::silt_loam;
+    std::optional<double> field_capacity{}, wilting_point{};
+    std::optional<double> readily_evaporable{}, total_evaporable{};
+    double depletion_fraction = Soil{}.depletion_fraction;
+    double root_depth = 1.35;   //!< greatest depth [m]
+    double root_rate = 0.0022;  //!< [m / (deg C d)]
+    double curve_number = 0;    //!< 0: water does not run off
+
+    //! Returns the soil with what its texture states.
+    Soil soil() const;
+};
+
+//! The table [irrigation].
+struct IrrigationSpec {
+    std::vector<Date> dates{};
+    std::vector<double> amounts{};  //!< [mm] for each date, or one for all
+    double depletion = 1;           //!< 1: no irrigation by depletion
+    double amount = 0;              //!< [mm]; 0: up to field capacity
+    double limit = 0;               //!< [mm]; 0: none
+};
+
 //! A crop file, and the bounds of its traits that the campaign sets.
 struct CropSpec {
     //! Fills in the width profile of the baseline and the default traits.
@@ -150,6 +199,7 @@ struct CropSpec {
     std::vector<TraitEntry> traits;
     std::vector<BoundsEntry> bounds;  //!< bounds of all rules
     std::optional<Growth> growth;
+    std::optional<Grain> grain;  //!< none: kernels are not modelled
     ByBand<PlantOptics> optics = usual_optics;
     PhotosynthesisSpec photosynthesis;
     //! The file that states each key of [photosynthesis], by key.
@@ -394,6 +444,8 @@ struct Spec {
     ObjectiveSpec objective;
     bool assimilates = false;  //!< whether assimilation is computed
     std::optional<WaterSpec> water;
+    std::optional<SoilSpec> soil;  //!< none: plants have enough water
+    std::optional<IrrigationSpec> irrigation;
     Constraints constraints;
     Feasibility feasibility;
     SearchSpec search;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "campaign/meshes.hpp"
+#include "campaign/season_days.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/tolerance.hpp"
 #include "stand.hpp"
@@ -215,6 +216,9 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     bred.photosynthesis = campaign.photosynthesis;
     bred.stomata = campaign.stomata;
     scene.water = campaign.water;
+    // The openings between which fluxes are interpolated as soil dries.
+    if (scene.water && campaign.spec.soil && chosen.stage)
+        scene.water->openings = {0.3, 0.08, 0.04, 0.015};
     if (chosen.stage) {
         set_grown(campaign, chosen, 0, campaign.crop.baseline, bred);
         complete_rates(bred, campaign.crop.baseline.leaves.size());
@@ -272,6 +276,8 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
 
 Details details_of(const Campaign& campaign) {
     return {.form = asks_for(campaign, is_of_form),
+            .soil = campaign.spec.soil.has_value(),
+            .grain = fills_grain(campaign),
             .lines = campaign.spec.feasibility.known_lines()};
 }
 

@@ -151,6 +151,9 @@ Stand::Stand(const Campaign& campaign, const Case& chosen)
       across_(campaign, chosen),
       schema_(outcome_schema(campaign, chosen, campaign.sampling)),
       final_schema_(schema_) {
+    for (const Case& scenario : scenarios(chosen))
+        scenarios_.push_back({std::max<std::size_t>(1, scenario.stages.size()),
+                              Season(campaign, scenario)});
     final_schema_.randomisations =
         static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
 }
@@ -162,37 +165,70 @@ void Stand::prepare(const Device& device) {
     cue_.prepare(device);
 }
 
-template <class Take>
-void Stand::evaluate_each(const Plants& plants, const Sampling& sampling,
-                          const Device& device, Take take) {
+LitCanopy Stand::light(std::size_t number, const Plants& plants,
+                       const Sampling& sampling, const Device& device,
+                       LightCue::Response& response,
+                       const ReportOptions& options) const {
+    CanopyRequest request = request_of(sampling, campaign_, cases_[number],
+                                       scenes_[number], plants);
+    request.details.sunlit = options.sunlit;
+    response.set_plants(number, plants, request.scene);
+    LitCanopy canopy(std::move(request), device, {}, options.threads);
+    if (cue_.is_any())
+        response.observe(number, canopy.scene(), canopy.report());
+    return canopy;
+}
+
+void Stand::report_each(const Plants& plants, const Sampling& sampling,
+                        const Device& device, const TakeReport& take,
+                        ReportOptions options) {
     prepare(device);
     LightCue::Response response(cue_);
-    for (std::size_t i = 0; i < scenes_.size(); ++i) {
-        CanopyRequest request =
-            request_of(sampling, campaign_, cases_[i], scenes_[i], plants);
-        response.set_plants(i, plants, request.scene);
-        const CanopyReport report = ideotype::evaluate(request, device);
-        response.observe(i, request.scene, report);
-        take(cases_[i], report);
+    std::size_t i = 0;
+    for (const Scenario& scenario : scenarios_) {
+        const std::size_t first = i, end = first + scenario.cases;
+        std::vector<LitCanopy> stages;
+        for (; i < end; ++i) {
+            LitCanopy stage =
+                light(i, plants, sampling, device, response, options);
+            if (scenario.season.is_any())
+                stages.push_back(std::move(stage));
+            else
+                take(cases_[i], stage.report());
+        }
+        if (stages.empty()) continue;
+        // The season of all stages decides about their fluxes.
+        const auto soil = scenario.season.dry(stages);
+        std::vector<CanopyReport> reports;
+        for (const LitCanopy& stage : stages) reports.push_back(stage.report());
+        scenario.season.add_to(soil, stages, reports);
+        for (std::size_t s = 0; s < reports.size(); ++s)
+            take(cases_[first + s], std::move(reports[s]));
     }
 }
 
 Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
                         const Device& device) {
     std::vector<Outcome> outcomes;
-    evaluate_each(plants, sampling, device,
-                  [&](const Case& chosen, const CanopyReport& report) {
-                      outcomes.push_back(to_outcome(campaign_, chosen,
-                                                    plants.front(), report));
-                  });
+    report_each(plants, sampling, device,
+                [&](const Case& chosen, const CanopyReport& report) {
+                    outcomes.push_back(
+                        to_outcome(campaign_, chosen, plants.front(), report));
+                });
     Outcome outcome = across_.combine(outcomes);
     IDEOTYPE_ENSURE(outcome.quantities.size() == schema_.measured.size());
     if (campaign_.water && campaign_.spec.water->limit > 0) {
         // Adds a margin of two standard errors: without it, the best of many
         // noisy plants would exceed the limit.
         constexpr double sure = 2;
-        const Estimate& water =
+        Estimate water =
             outcome.quantities[schema_.measured.offset("water_use")];
+        if (campaign_.spec.soil) {
+            const Estimate& more =
+                outcome.quantities[schema_.measured.offset("soil_evaporation")];
+            water = {water.mean + more.mean,
+                     std::hypot(water.standard_error, more.standard_error)};
+        }
         outcome.violation +=
             std::max(0., (water.mean + sure * water.standard_error) /
                                  campaign_.spec.water->limit -
@@ -206,26 +242,26 @@ RandomisedOutcome Stand::evaluate_by_randomisation(const Plants& plants,
                                                    const Device& device) {
     std::vector<Outcome> outcomes;
     std::vector<std::vector<Outcome>> apart;  // [randomisation, case]
-    evaluate_each(plants, sampling, device,
-                  [&](const Case& chosen, const CanopyReport& report) {
-                      outcomes.push_back(to_outcome(campaign_, chosen,
-                                                    plants.front(), report));
-                      const std::vector<Randomised> quantities =
-                          measure_by_randomisation(report);
-                      apart.resize(report.randomisations());
-                      for (std::size_t r = 0; r < apart.size(); ++r) {
-                          Outcome& one = apart[r].emplace_back(outcomes.back());
-                          for (std::size_t q = 0; q < quantities.size(); ++q) {
-                              const std::vector<double>& values =
-                                  quantities[q].by_randomisation;
-                              one.quantities[q] = {
-                                  values.empty()
-                                      ? std::numeric_limits<double>::quiet_NaN()
-                                      : values.at(r),
-                                  0};
-                          }
-                      }
-                  });
+    report_each(plants, sampling, device,
+                [&](const Case& chosen, const CanopyReport& report) {
+                    outcomes.push_back(
+                        to_outcome(campaign_, chosen, plants.front(), report));
+                    const std::vector<Randomised> quantities =
+                        measure_by_randomisation(report);
+                    apart.resize(report.randomisations());
+                    for (std::size_t r = 0; r < apart.size(); ++r) {
+                        Outcome& one = apart[r].emplace_back(outcomes.back());
+                        for (std::size_t q = 0; q < quantities.size(); ++q) {
+                            const std::vector<double>& values =
+                                quantities[q].by_randomisation;
+                            one.quantities[q] = {
+                                values.empty()
+                                    ? std::numeric_limits<double>::quiet_NaN()
+                                    : values.at(r),
+                                0};
+                        }
+                    }
+                });
     RandomisedOutcome result{across_.combine(outcomes), {}};
     for (const std::vector<Outcome>& outcomes_of_one : apart) {
         std::vector<double>& values = result.quantities.emplace_back();
@@ -233,6 +269,18 @@ RandomisedOutcome Stand::evaluate_by_randomisation(const Plants& plants,
             values.push_back(x.mean);
     }
     return result;
+}
+
+std::vector<SeasonState> Stand::season(const Plants& plants,
+                                       const Sampling& sampling,
+                                       const Device& device,
+                                       const ControlDay& control) {
+    prepare(device);
+    LightCue::Response response(cue_);
+    std::vector<LitCanopy> stages;
+    for (std::size_t i = 0; i < scenarios_.front().cases; ++i)
+        stages.push_back(light(i, plants, sampling, device, response, {}));
+    return scenarios_.front().season.run(stages, control);
 }
 
 }  // namespace ideotype

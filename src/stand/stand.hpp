@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "ideotype/light/device.hpp"
 #include "light_cue.hpp"
 #include "search/outcome.hpp"
+#include "season.hpp"
 
 namespace ideotype {
 
@@ -134,14 +136,45 @@ class Stand {
                                                 const Sampling& sampling,
                                                 const Device& device);
 
+    //! Takes a report. Those of a scenario's stages come in order.
+    using TakeReport = std::function<void(const Case&, CanopyReport)>;
+    struct ReportOptions {
+        bool sunlit = false;  //!< see Details::sunlit
+        int threads = 1;
+    };
+
+    //! Evaluates plants in each scenario and stage. Stages of a season with
+    //! soil are reported after all have been evaluated.
+    void report_each(const Plants& plants, const Sampling& sampling,
+                     const Device& device, const TakeReport& take,
+                     ReportOptions options);
+    void report_each(const Plants& plants, const Sampling& sampling,
+                     const Device& device, const TakeReport& take) {
+        report_each(plants, sampling, device, take, {});
+    }
+
+    //! Returns the days of the first scenario's season with soil, for means
+    //! over randomisations, see Season::run().
+    std::vector<SeasonState> season(const Plants& plants,
+                                    const Sampling& sampling,
+                                    const Device& device,
+                                    const ControlDay& control);
+
   private:
-    template <class Take>
-    void evaluate_each(const Plants& plants, const Sampling& sampling,
-                       const Device& device, Take take);
+    LitCanopy light(std::size_t number, const Plants& plants,
+                    const Sampling& sampling, const Device& device,
+                    LightCue::Response& response,
+                    const ReportOptions& options) const;
+
+    struct Scenario {
+        std::size_t cases;  //!< number of stages, or 1
+        Season season;
+    };
 
     const Campaign& campaign_;
     std::vector<Case> cases_;    //!< cases of each scenario and stage
     std::vector<Scene> scenes_;  //!< scenes, empty until set up
+    std::vector<Scenario> scenarios_{};
     LightCue cue_;
     AcrossScenarios across_;
     OutcomeSchema schema_, final_schema_;

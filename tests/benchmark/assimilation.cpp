@@ -83,7 +83,8 @@ class Canopy {
     //! Returns the daily gross assimilation, computed from pieces [mol m-2].
     Estimate gross(const std::vector<Tally>& tallies) const {
         std::vector<double> values;
-        const FluxTallies fluxes = assimilate(tallies, pieces_, lit(leaves_));
+        const FluxTallies fluxes =
+            assimilate(tallies, pieces_, lit(leaves_)).tallies;
         for (const FluxTally& tally : fluxes.front())
             values.push_back(tally.sum());
         return values.size() > 1 ? estimate(values)

@@ -21,8 +21,10 @@ class Assimilating : public FieldOfTwoLeaves {
     //! Returns the daily gross assimilation [mol m-2].
     Estimate gross(const Accuracy& accuracy, std::uint64_t seed) const {
         std::vector<double> values;
-        const FluxTallies fluxes = assimilate(
-            light(request.scene.bands[0], accuracy, seed), pieces, lit());
+        const FluxTallies fluxes =
+            assimilate(light(request.scene.bands[0], accuracy, seed), pieces,
+                       lit())
+                .tallies;
         for (const FluxTally& tally : fluxes.front())
             values.push_back(tally.sum());
         return estimate(values);

@@ -55,7 +55,7 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
         LeafAir air(of);
         LitLeaves with = lit();
         with.air = &air;
-        return assimilate(tallies, pieces, with);
+        return assimilate(tallies, pieces, with).tallies;
     }
 
     double flux(LeafFlux of) const {

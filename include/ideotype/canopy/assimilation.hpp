@@ -93,6 +93,9 @@ struct AssimilationReport {
     //! Gross assimilation less respiration after silking, by randomisation, if
     //! plants grow.
     std::vector<double> late_net;
+    //! Gross assimilation less respiration without that of ears on each of
+    //! LightSeries::dates() [mol m-2], by randomisation, if asked for.
+    std::vector<std::vector<double>> net_of_dates;
     //! Dry mass of each group of leaves and living organs, without roots, per
     //! ground area [kg m-2]. If plants grow, only the dry mass that was built
     //! during the period of the light.
@@ -186,16 +189,19 @@ CarbonLoss loss_of_part(const CarbonLoss& loss,
 //! @param uptake tallies of LeafFlux::uptake
 //! @param respired tallies of LeafFlux::respiration; empty: none
 //! @param leaves,leaf_area_index rates and area index of the mesh's groups
+//! @param is_by_date whether to report AssimilationReport::net_of_dates
 AssimilationReport report(std::vector<FluxTally> uptake,
                           const std::vector<FluxTally>& respired,
                           const std::vector<LeafGroup>& leaves,
                           const std::vector<double>& leaf_area_index,
-                          const SeriesIllumination& light);
+                          const SeriesIllumination& light,
+                          bool is_by_date = false);
 
 //! Returns the air around leaves in a step.
 Air air_of(const TimeStep& step, const Photosynthesis& photosynthesis);
 
 class LeafAir;
+struct CanopyFluxes;
 
 //! A field with its light and the assimilation models of its leaves.
 struct LitLeaves {
@@ -237,8 +243,7 @@ struct LitLeaves {
 //! @param lit field with the scene of pieces.mesh
 //! @return tallies of gross assimilation, followed by tallies of each further
 //! LeafFlux if leaves exchange heat and water
-std::vector<std::vector<FluxTally>> assimilate(
-    const std::vector<Tally>& tallies, const Pieces& pieces,
-    const LitLeaves& lit);
+CanopyFluxes assimilate(const std::vector<Tally>& tallies, const Pieces& pieces,
+                        const LitLeaves& lit);
 
 }  // namespace ideotype

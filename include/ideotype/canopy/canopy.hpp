@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/light_classes.hpp"
 #include "ideotype/canopy/request.hpp"
+#include "ideotype/canopy/season.hpp"
 #include "ideotype/canopy/water.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/ray_scene.hpp"
@@ -135,6 +137,9 @@ struct CanopyReport {
     std::vector<ObjectReport> objects;
     std::optional<AssimilationReport> assimilation;  //!< assimilation, if any
     std::optional<WaterReport> water;  //!< water, if leaves exchange water
+    //! Parts of the stage in the season's soil and grain, if there are any.
+    std::optional<SeasonWater> season_water;
+    std::optional<SeasonGrain> season_grain;
     //! Sunlit leaf area by piece of leaf, from the same first hits of beams as
     //! assimilation.
     std::optional<SunlitReport> hit_by_sun;
@@ -179,6 +184,35 @@ using Clock = std::function<double()>;
 //! are the same for any number
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
                       const Clock& clock = {}, int threads = 1);
+
+//! A canopy after its light and fluxes have been computed, and before they are
+//! reported: stomata may still close under stress.
+class LitCanopy {
+  public:
+    //! Computes light and fluxes as evaluate() does.
+    LitCanopy(CanopyRequest request, const Device& device,
+              const Clock& clock = {}, int threads = 1);
+    LitCanopy(LitCanopy&&) noexcept;
+    ~LitCanopy();
+
+    const Scene& scene() const;
+    const CanopyFluxes& fluxes() const;
+
+    //! Returns PAR and near infrared on the soil over those above the canopy,
+    //! where they are traced [randomisation][date of LightSeries::dates()]. It
+    //! includes light that is reflected several times.
+    std::vector<std::vector<double>> light_on_soil() const;
+
+    //! Closes stomata, which must be open, see close_stomata().
+    //! @param closures by step
+    void close_stomata(const std::vector<Closure>& closures);
+
+    CanopyReport report() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 
 //! Builds the surfaces of a field, with the field's boundary.
 RayScene build_scene(const Device& device, const Field& field);

@@ -37,12 +37,14 @@ std::vector<std::string> objective_names();
 
 //! Return whether a quantity exists only in reports with assimilation, plant
 //! form, measured lines, light in a given band, leaves that exchange heat and
-//! water, growing plants, panels, or two components.
+//! water, soil that dries, grain, growing plants, panels, or two components.
 bool is_of_assimilation(const std::string& quantity);
 bool is_of_form(const std::string& quantity);
 bool is_of_lines(const std::string& quantity);
 bool is_of_band(const std::string& quantity, const std::string& band);
 bool is_of_water(const std::string& quantity);
+bool is_of_soil(const std::string& quantity);
+bool is_of_grain(const std::string& quantity);
 bool is_of_growth(const std::string& quantity);
 bool is_of_panels(const std::string& quantity);
 bool is_of_two_components(const std::string& quantity);

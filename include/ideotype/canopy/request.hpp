@@ -28,6 +28,9 @@ struct Details {
     bool exact = false;
     //! Whether to compute the form of the first component's plant.
     bool form = false;
+    //! Whether the soil of the season dries, and whether grain fills. Growth of
+    //! each date is then reported.
+    bool soil = false, grain = false;
     //! Measured lines; their distance from the first component's plant is
     //! computed.
     std::optional<MeasuredLines> lines{};

@@ -128,6 +128,9 @@ struct LeafWater {
     double stomatal_ratio = 1;
     //! A in the wind profile exp(-a (1 - z / h)) within the canopy.
     double wind_attenuation = 2;
+    //! Openings of stomata under stress for which fluxes are also computed, in
+    //! falling order, see ClosedStomata.
+    std::vector<double> openings{};
 };
 
 //! All surfaces that light can meet, the light sources, and the models of

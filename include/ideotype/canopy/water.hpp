@@ -34,6 +34,49 @@ double amount_of(LeafFlux flux, const TimeStep& step);
 //! Tallies indexed [flux][randomisation].
 using FluxTallies = std::vector<std::vector<FluxTally>>;
 
+//! Returns whether the change of a flux under stress is a factor. Other fluxes
+//! change by a difference per ground area.
+inline bool changes_by_factor(LeafFlux flux) {
+    return flux == LeafFlux::uptake || flux == LeafFlux::transpiration ||
+           flux == LeafFlux::conductance;
+}
+
+//! The fluxes of leaves under stress, with stomata at one of
+//! LeafWater::openings, compared with those of open stomata [flux][step]. They
+//! are those of the mean leaves in the sun and in the shade, in the air of a
+//! canopy with such stomata.
+using ClosedStomata = std::vector<std::vector<double>>;
+
+//! The fluxes of a field or a canopy.
+struct CanopyFluxes {
+    FluxTallies tallies;
+    std::vector<ClosedStomata> closed{};  //!< by LeafWater::openings
+};
+
+//! How far stomata close in a step: at 0 they are open, at i as at the i-th
+//! opening of LeafWater::openings, and at the largest, one more than there are
+//! openings, they are closed and leaves neither transpire nor take up CO2.
+//! Between these, fluxes are linear.
+using Closure = double;
+
+//! Returns the change of a flux in a step, see changes_by_factor().
+double change_of(const std::vector<ClosedStomata>& closed, LeafFlux flux,
+                 std::size_t step, Closure closure);
+
+//! Leaf area in any unit: by group, by layer, and by row and group.
+struct CanopyLeafArea {
+    const std::vector<double>&groups, &layers, &rows;
+};
+
+//! Changes the fluxes of a canopy to those of stomata that close. Groups,
+//! layers and rows all change by the same factor, or by the same difference per
+//! leaf area.
+//! @param closures by step, for all randomisations
+void close_stomata(const std::vector<Closure>& closures,
+                   const std::vector<LeafGroup>& leaves,
+                   const CanopyLeafArea& area, const LightSeries& series,
+                   CanopyFluxes& fluxes);
+
 //! The exchange of heat and water between the leaves of a canopy and the air on
 //! a mean day.
 struct WaterReport {

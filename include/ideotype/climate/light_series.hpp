@@ -34,7 +34,10 @@ struct TimeStep {
     std::optional<double> pressure{};  //!< pressure of the air [kPa]
     //! Longwave radiation of the sky on a horizontal plane [W m-2].
     std::optional<double> longwave{};
-    bool is_late = false;  //!< after silking of growing plants
+    std::optional<double> rain{};  //!< rain during the step [mm]
+    bool is_late = false;          //!< after silking of growing plants
+    //! Opening of stomata relative to that with enough water, see closed().
+    double opening = 1;
 
     bool is_lit() const { return par.beam + par.diffuse > 0; }
 };

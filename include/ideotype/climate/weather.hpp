@@ -63,6 +63,7 @@ struct ColumnMap {
     std::optional<Column> pressure{};     //!< in kPa, hPa, mbar or Pa
     //! Longwave radiation of the sky on a level plane, in a unit of light.
     std::optional<Column> longwave{};
+    std::optional<Column> rain{};  //!< in mm or in of a step, or in mm/h
 };
 
 //! The weather that is to be read from a CSV file.
@@ -119,9 +120,10 @@ WeatherDescription describe_weather(const std::string& text,
 //! global light, or else the beam, is given in photons, PAR is computed from
 //! photons and solar radiation from PAR: see par_share(). The diffuse fraction
 //! of near infrared equals that of PAR. Light that is slightly below 0, or
-//! missing while the sun is down, is set to 0. Other missing values are
-//! interpolated over up to 6 hours. If the file omits 29 February, so does the
-//! result.
+//! missing while the sun is down, is set to 0. Rain counts by date, so that one
+//! row may hold that of a day; where it is missing, there is none. Other
+//! missing values are interpolated over up to 6 hours. If the file omits 29
+//! February, so does the result.
 //!
 //! @throws InputError for unreadable or implausible input: unknown columns and
 //! units, light that is missing by day, negative or above the extraterrestrial

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ideotype/core/range.hpp"
+#include "ideotype/crop/grain.hpp"
 #include "ideotype/crop/growth.hpp"
 #include "ideotype/crop/plant.hpp"
 #include "ideotype/crop/plant_variation.hpp"
@@ -56,6 +57,7 @@ struct Crop {
     //! Growth and ageing of plants; none: only the full-grown baseline is
     //! known.
     std::optional<Growth> growth{};
+    std::optional<Grain> grain{};  //!< none: kernels are not modelled
     //! Variation between plants, used by new campaigns only; none: not known.
     std::optional<CropVariation> variation{};
 };

@@ -97,6 +97,10 @@ Estimate absorbed_by_some_leaves(const std::vector<Tally>& tallies,
 //! with a standard error as in report().
 Estimate absorbed_by_leaves(const std::vector<Tally>& tallies);
 
+//! Returns the light that the soil absorbs in each step [W m-2] [tally][step].
+std::vector<std::vector<double>> absorbed_by_soil(
+    const std::vector<Tally>& tallies, const SeriesIllumination& illumination);
+
 //! The sunlit fraction of the one-sided leaf area.
 struct SunlitReport {
     Estimate mean;  //!< mean over the time with any light

@@ -27,7 +27,16 @@ struct Stomata {
     //! doi:10.1038/nclimate2550) or b1 [-] (maize: 4.53, and b0 0.017, Miner
     //! and Bauerle 2017, doi:10.1111/pce.12990).
     double slope = 1.6;
+    //! Opening under stress relative to that with enough water, see closed().
+    double opening = 1;
 };
+
+//! Returns stomata that close under stress. The conductance without
+//! assimilation is multiplied by `opening` (0 to 1), and so is the slope, as
+//! far as it exceeds the value 1.6 at which no CO2 is left inside the leaf.
+//! Thus Ci / (cs - Ci) is multiplied by it, in the model of Medlyn by way of g1
+//! (De Kauwe et al. 2015, doi:10.5194/gmd-8-431-2015).
+Stomata closed(Stomata stomata, double opening);
 
 //! Leaf models in which assimilation depends on CO2.
 using Co2Leaf = std::variant<CollatzLeaf, FarquharLeaf>;

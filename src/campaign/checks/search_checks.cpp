@@ -44,6 +44,11 @@ void check_quantities(const Spec& spec, const Problems& problems) {
          "needs plants that grow; add emergence to [[climate]]"},
         {is_of_panels, spec.panels.empty(), "needs panels; add [[panel]]"},
         {is_of_water, !spec.water, "needs leaves that transpire; add [water]"},
+        {is_of_soil, !spec.soil, "needs soil that dries; add [soil]"},
+        {is_of_grain,
+         !spec.plant.crop.grain || !plants_grow(spec) ||
+             !spec.components.empty(),
+         "needs grain: plants that grow, alone, of a crop file with [grain]"},
         {is_of_lines, spec.feasibility.lines.traits.empty(),
          "is a distance from measured lines (this campaign has none); add "
          "[feasibility] with lines = \"FILE.toml\""},

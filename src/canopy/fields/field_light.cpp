@@ -175,7 +175,7 @@ class FieldPass {
         if (all_.request.details.sunlit)
             found_.light_classes = leaf_area_by_light(tallies, pieces_, leaves);
         if (!plan_.is_one_of_many) return;
-        for (std::vector<FluxTally>& flux : found_.fluxes)
+        for (std::vector<FluxTally>& flux : found_.fluxes.tallies)
             flux = {mean_of(flux)};
         found_.hit_by_sun.fractions = {mean_of(found_.hit_by_sun.fractions)};
         if (!found_.light_classes.empty())
@@ -186,7 +186,7 @@ class FieldPass {
     //! computed, if fields may differ.
     void note_leaf_area() {
         if (plan_.fields == 1) return;
-        for (FluxTally& gross : found_.fluxes.front()) {
+        for (FluxTally& gross : found_.fluxes.tallies.front()) {
             gross.leaf_area = found_.leaf_area_index;
             gross.leaf_area_of_rows = found_.areas_of_rows;
         }
@@ -220,7 +220,7 @@ class FieldPass {
     void assimilate_exactly() {
         ExactAssimilation exact = ideotype::assimilate_exactly(
             mesh_, lit(), plan_.accuracy, drawn_.randomness);
-        found_.fluxes = {std::move(exact.tallies)};
+        found_.fluxes.tallies = {std::move(exact.tallies)};
         found_.is_capped |= exact.is_capped;
     }
 

@@ -84,7 +84,7 @@ struct FieldLight {
     //! Light absorbed by leaves of each row, where rows are distinguished [J
     //! m-2 of ground; band, randomisation, row].
     std::vector<std::vector<std::vector<double>>> rows;
-    FluxTallies fluxes;  //!< tallies of fluxes, if leaves assimilate
+    CanopyFluxes fluxes;  //!< fluxes, if leaves assimilate; closed: sums
     //! Leaf area index by layer [m2 m-2].
     std::vector<double> leaf_area_of_layers;
     SunlitFractions sunlit;      //!< sunlit fractions from points on leaves

@@ -130,9 +130,13 @@ void FieldLight::append(FieldLight more) {
         ideotype::append(light[b], std::move(more.light[b]));
         ideotype::append(rows[b], std::move(more.rows[b]));
     }
-    fluxes.resize(more.fluxes.size());
-    for (std::size_t k = 0; k < fluxes.size(); ++k)
-        ideotype::append(fluxes[k], std::move(more.fluxes[k]));
+    FluxTallies& tallies = fluxes.tallies;
+    tallies.resize(more.fluxes.tallies.size());
+    for (std::size_t k = 0; k < tallies.size(); ++k)
+        ideotype::append(tallies[k], std::move(more.fluxes.tallies[k]));
+    for (std::size_t l = 0; l < fluxes.closed.size(); ++l)
+        for (std::size_t k = 0; k < leaf_fluxes; ++k)
+            add(fluxes.closed[l][k], more.fluxes.closed[l][k]);
     add(leaf_area_of_layers, more.leaf_area_of_layers);
     ideotype::append(sunlit, std::move(more.sunlit));
     ideotype::append(hit_by_sun, std::move(more.hit_by_sun));

@@ -54,6 +54,8 @@ struct Scope {
     bool grows = false;
     bool has_water = false;
     bool has_living_organs = false;
+    bool has_soil = false;   //!< whether the season has soil that dries
+    bool has_grain = false;  //!< whether the season has grain
 
     bool has_band(const std::string& name) const {
         return std::find(bands.begin(), bands.end(), name) != bands.end();
@@ -96,5 +98,6 @@ std::vector<Declaration> part_quantities();
 std::vector<Declaration> row_quantities();
 std::vector<Declaration> object_quantities();
 std::vector<Declaration> water_quantities();
+std::vector<Declaration> season_quantities();
 
 }  // namespace ideotype

@@ -38,13 +38,15 @@ std::vector<const Declaration*> declared(const Scope& scope) {
     add(all_of<row_quantities>());
     add(all_of<object_quantities>());
     add(all_of<water_quantities>());
+    add(all_of<season_quantities>());
     return all;
 }
 
 namespace {
 
 const Scope everything = [] {
-    Scope all{2, {}, true, true, true, true, true, true, true, true, true};
+    Scope all{2,    {},   true, true, true, true, true,
+              true, true, true, true, true, true};
     for (const Waveband& each : wavebands) all.bands.push_back(each.name);
     return all;
 }();
@@ -60,7 +62,9 @@ Scope scope_of(const CanopyReport& report) {
             has_panels(report.objects),
             report.grows,
             report.water.has_value(),
-            report.has_living_organs};
+            report.has_living_organs,
+            report.season_water.has_value(),
+            report.season_grain.has_value()};
 }
 
 std::vector<const Declaration*> declared(const CanopyReport& report) {
@@ -154,6 +158,14 @@ bool is_of_band(const std::string& quantity, const std::string& band) {
 
 bool is_of_water(const std::string& quantity) {
     return is_in(all_of<water_quantities>(), quantity);
+}
+
+bool is_of_soil(const std::string& quantity) {
+    return needs(quantity, [](Scope& scope) { scope.has_soil = false; });
+}
+
+bool is_of_grain(const std::string& quantity) {
+    return needs(quantity, [](Scope& scope) { scope.has_grain = false; });
 }
 
 bool is_of_growth(const std::string& quantity) {

@@ -13,12 +13,19 @@ namespace ideotype {
 namespace {
 
 Scope scope_of(const Scene& scene, const Details& details) {
-    return {scene.components.size(),    mapped(scene.bands, &Band::name),
-            scene.assimilates(),        details.form,
-            details.lines.has_value(),  !scene.cell.row_ground.empty(),
-            !scene.objects.empty(),     has_panels(scene.objects),
-            scene.light().series.grows, scene.water.has_value(),
-            scene.has_living_organs()};
+    return {scene.components.size(),
+            mapped(scene.bands, &Band::name),
+            scene.assimilates(),
+            details.form,
+            details.lines.has_value(),
+            !scene.cell.row_ground.empty(),
+            !scene.objects.empty(),
+            has_panels(scene.objects),
+            scene.light().series.grows,
+            scene.water.has_value(),
+            scene.has_living_organs(),
+            details.soil,
+            details.grain};
 }
 
 Axis layer_axis(const Layers& layers) {

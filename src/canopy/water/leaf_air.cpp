@@ -142,6 +142,7 @@ void LeafAir::meet(int beam, int sky) {
 void LeafAir::begin(std::size_t number) {
     IDEOTYPE_EXPECT(places_ != nullptr && number < series_.steps.size());
     const TimeStep& step = series_.steps[number];
+    step_ = number;
     light_ = {
         step.longwave.value(),
         wind_at_top(step.wind.value(), series_.wind_height, leaves_.height)};
@@ -174,7 +175,10 @@ LeafAir::Leaf LeafAir::leaf_in(std::size_t number, std::uint32_t group) const {
     const Component& component =
         leaves_.scene.components[leaves_.groups[group].id.component];
     const Air air = air_of(step, *of.photosynthesis);
-    Leaf result{{{}, component.stomata, leaf_emissivity, water_.stomatal_ratio},
+    Leaf result{{{},
+                 closed(component.stomata, step.opening),
+                 leaf_emissivity,
+                 water_.stomatal_ratio},
                 {},
                 air.humidity * saturated_vapour(air.temperature),
                 dark_respiration(of.rates, air.temperature)};
@@ -188,6 +192,15 @@ LeafAir::Leaf LeafAir::leaf_in(std::size_t number, std::uint32_t group) const {
     if (const auto* c3 = std::get_if<FarquharLeaf>(&of.rates))
         result.leaf.rates = *c3;
     return result;
+}
+
+void LeafAir::close_stomata(double opening) {
+    for (std::uint32_t g = 0; g < leaf_.size(); ++g)
+        if (leaf_[g])
+            leaf_[g]->leaf.stomata =
+                closed(leaves_.scene.components[leaves_.groups[g].id.component]
+                           .stomata,
+                       opening * series_.steps[step_].opening);
 }
 
 void LeafAir::set_air(const CanopyAir& air) {

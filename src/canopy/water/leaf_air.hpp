@@ -93,6 +93,9 @@ class LeafAir {
     //! Sets the state of the air within the canopy in this step.
     void set_air(const CanopyAir& air);
 
+    //! Closes stomata to an opening relative to that of the step.
+    void close_stomata(double opening);
+
     //! Returns the excess of leaf temperature over the air above at which a
     //! leaf counts as hot [K].
     double hot_over_air(std::uint32_t group) const {
@@ -162,6 +165,7 @@ class LeafAir {
     std::vector<std::uint32_t> class_;  //!< class by group
     std::vector<Mean> means_;           //!< mean leaves by class
     int beam_ = -1, sky_ = -1;
+    std::size_t step_ = 0;
     Sky light_;
     double resistance_ = 0;  //!< resistance to the air above [s m-1]
     //! Leaf by group, if it assimilates.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ideotype {
 
@@ -217,6 +218,74 @@ void LeafLines::correct(double heat, double water) {
             {in_.warmer - in.warmer, in_.moister - in.moister},
             {driven_.warmer - before.warmer, driven_.moister - before.moister});
     }
+}
+
+std::vector<LeafLines::Sums> LeafLines::close_stomata(
+    const std::vector<double>& openings, const std::vector<Stratum>& strata) {
+    const CanopyAir in = in_;
+    const auto slopes = slopes_;
+    std::vector<LeafExchange> solved(strata.size());
+    bool is_known = false;
+    // The sums of fluxes in the air of the step, and the air that results.
+    const auto sum_up = [&] {
+        air_.set_air(in_);
+        std::pair<Sums, CanopyAir> result{};
+        auto& [sums, by] = result;
+        for (std::size_t i = 0; i < strata.size(); ++i) {
+            const Stratum& each = strata[i];
+            const LeafAir::Point point{air_.mean_place(each.number), each.ppfd,
+                                       each.cosine};
+            solved[i] = air_.solve(point, is_known ? &solved[i] : nullptr);
+            const LeafAir::Fluxes found = air_.fluxes_of(solved[i], point);
+            for (std::size_t k = 0; k < leaf_fluxes; ++k)
+                sums[k] += each.area * found[k].value;
+            const auto amount = [&](LeafFlux flux) {
+                return each.area * found[static_cast<std::size_t>(flux)].value;
+            };
+            const CanopyAir own = air_.driven_by(
+                *air_.largest_of(each.number), amount(LeafFlux::sensible),
+                amount(LeafFlux::transpiration));
+            by.warmer += own.warmer;
+            by.moister += own.moister;
+        }
+        is_known = true;
+        return result;
+    };
+    const auto [open, typical] = sum_up();
+    std::vector<Sums> all{open};
+    // All leaves drive the air a little differently from these.
+    const CanopyAir more{driven_.warmer - typical.warmer,
+                         driven_.moister - typical.moister};
+    for (const double opening : openings) {
+        air_.close_stomata(opening);
+        constexpr int most = 3;
+        constexpr double warmer = 0.3, moister = 0.03;
+        CanopyAir before, by_before;
+        for (int i = 0; i < most; ++i) {
+            const auto [sums, by] = sum_up();
+            if (i == 0) all.emplace_back();
+            all.back() = sums;
+            if (i > 0)
+                learn_slopes(
+                    {in_.warmer - before.warmer, in_.moister - before.moister},
+                    {by.warmer - by_before.warmer,
+                     by.moister - by_before.moister});
+            before = in_;
+            by_before = by;
+            const CanopyAir left{by.warmer + more.warmer - in_.warmer,
+                                 by.moister + more.moister - in_.moister};
+            // The last move is the start of the next opening.
+            move_air(left);
+            if (std::abs(left.warmer) < warmer &&
+                std::abs(left.moister) < moister)
+                break;
+        }
+    }
+    in_ = in;
+    slopes_ = slopes;
+    air_.close_stomata(1);
+    air_.set_air(in_);
+    return all;
 }
 
 Expansion LeafLines::at(LeafFlux flux, std::uint32_t group,

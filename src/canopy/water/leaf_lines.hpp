@@ -43,6 +43,22 @@ class LeafLines {
     //! lose in addition to their lines [W m-2, mmol m-2 s-1].
     void correct(double heat, double water);
 
+    //! Leaves of one component in similar light.
+    struct Stratum {
+        std::uint32_t number = 0;     //!< class with the most area
+        double area = 0;              //!< leaf area index
+        double ppfd = 0, cosine = 0;  //!< means, as in LeafAir::Point
+    };
+
+    //! Sums of fluxes over leaves, per ground area.
+    using Sums = std::array<double, leaf_fluxes>;
+
+    //! Returns the fluxes of leaves in strata with open stomata, then if
+    //! stomata close to each opening, in the canopy air that results. Lines and
+    //! air remain as they are.
+    std::vector<Sums> close_stomata(const std::vector<double>& openings,
+                                    const std::vector<Stratum>& strata);
+
     //! Returns the air that results from the lines minus the air of the step.
     CanopyAir air_left() const {
         return {driven_.warmer - in_.warmer, driven_.moister - in_.moister};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace ideotype {
@@ -12,6 +13,20 @@ namespace {
 //! Light added to sampling weights, because leaves in the dark also exchange
 //! water [umol m-2 s-1].
 constexpr double dark = 100;
+
+//! Closed stomata are computed at each hour of every third day.
+constexpr std::size_t closed_days = 3;
+
+//! Returns the steps with the same hour, by day or by night, in groups.
+std::vector<std::vector<std::size_t>> alike(
+    const std::vector<TimeStep>& steps) {
+    std::map<std::pair<double, bool>, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        groups[{steps[i].hour, steps[i].is_lit()}].push_back(i);
+    std::vector<std::vector<std::size_t>> all;
+    for (auto& [hour, group] : groups) all.push_back(std::move(group));
+    return all;
+}
 
 }  // namespace
 
@@ -25,6 +40,7 @@ WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
       fluxes_(leaf_fluxes,
               Flux{std::vector<double>(places.count()),
                    std::vector<double>(lit.par.light.series.steps.size())}) {
+    prepare_closed();
     air_.see(places, expectation);
     lines_.emplace(air_);
     const Randomness& of = air_.leaves().randomness;
@@ -34,6 +50,23 @@ WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
                                        of.first_randomisation + r)
                               .uniform());
     find_counts();
+}
+
+//! Chooses the steps in which closed stomata are computed.
+void WaterFluxes::prepare_closed() {
+    const std::vector<TimeStep>& steps = light_.series.steps;
+    closed_.assign(
+        air_.leaves().scene.water->openings.size(),
+        ClosedStomata(leaf_fluxes, std::vector<double>(steps.size())));
+    if (closed_.empty()) return;
+    closes_in_.assign(steps.size(), false);
+    std::size_t number = 0;
+    for (const std::vector<std::size_t>& each : alike(steps)) {
+        const std::size_t first = number++ % closed_days;
+        for (std::size_t i = std::min(first, each.size() - 1); i < each.size();
+             i += closed_days)
+            closes_in_[each[i]] = true;
+    }
 }
 
 //! Computes the mean number of points that each randomisation samples in each
@@ -70,12 +103,14 @@ void WaterFluxes::add(std::size_t step, const StepLight* light) {
         drawn_sums_[static_cast<std::size_t>(LeafFlux::sensible)],
         drawn_sums_[static_cast<std::size_t>(LeafFlux::transpiration)]);
     add_lines(step, light);
+    close_stomata(step, light);
 }
 
 void WaterFluxes::add_nights() {
     air_.meet(-1, -1);
     for (std::size_t i = 0; i < light_.beam_of.size(); ++i)
         if (light_.beam_of[i] < 0 && light_.sky_of[i] < 0) add(i, nullptr);
+    complete_closed();
 }
 
 //! Returns whether a flux is summed in a step. At night these are only heat and
@@ -192,6 +227,93 @@ void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
         fluxes_[k].mean[each.place] += amounts_[k] * areas_[j];
     }
     fluxes_[k].steps[step] = all;
+}
+
+//! Divides the leaves of each component into strata of similar light.
+std::vector<LeafLines::Stratum> WaterFluxes::strata(
+    const StepLight* light) const {
+    // Limits of strata in shade and in the sun, relative to the brightest leaf.
+    constexpr std::array limits{std::array{0.06, 0.2}, std::array{0.3, 0.6}};
+    constexpr std::size_t count = limits[0].size() + 1;
+    struct Part {
+        LeafLines::Stratum stratum{};
+        std::array<double, LeafAir::classes_per_component> area{};
+    };
+    std::vector<Part> parts(2 * count * air_.leaves().scene.components.size());
+    for (std::size_t j = 0; j < areas_.size(); ++j) {
+        const LeafAir::Point each = point(light, j);
+        const std::uint32_t group = places_.group[each.place];
+        if (!lit_.leaves[group].exchanges_water() || !(areas_[j] > 0)) continue;
+        const std::uint32_t number = air_.class_of(group);
+        const std::size_t is_sunlit = each.cosine > 0 ? 1 : 0;
+        const std::size_t place = static_cast<std::size_t>(
+            std::ranges::count_if(limits[is_sunlit], [&](double x) {
+                return each.ppfd > x * brightest_;
+            }));
+        auto& [stratum, area] =
+            parts[2 * count * (number / LeafAir::classes_per_component) +
+                  count * is_sunlit + place];
+        stratum.area += areas_[j];
+        stratum.ppfd += areas_[j] * each.ppfd;
+        stratum.cosine += areas_[j] * each.cosine;
+        double& own = area[number % LeafAir::classes_per_component];
+        own += areas_[j];
+        if (own >= *std::ranges::max_element(area)) stratum.number = number;
+    }
+    std::vector<LeafLines::Stratum> strata;
+    for (const auto& [stratum, area] : parts) {
+        if (!(stratum.area > 0)) continue;
+        strata.push_back(stratum);
+        strata.back().ppfd /= stratum.area;
+        strata.back().cosine /= stratum.area;
+    }
+    return strata;
+}
+
+//! Computes the changes of the step's fluxes if stomata close, in one of three
+//! steps.
+void WaterFluxes::close_stomata(std::size_t step, const StepLight* light) {
+    if (closed_.empty() || !closes_in_[step]) return;
+    const std::vector<LeafLines::Sums> all = lines_->close_stomata(
+        air_.leaves().scene.water->openings, strata(light));
+    for (std::size_t l = 0; l < closed_.size(); ++l)
+        for (std::size_t k = 0; k < leaf_fluxes; ++k) {
+            // Dew does not depend on stomata.
+            constexpr double none = 1e-6;
+            const double before = all.front()[k], after = all[l + 1][k];
+            closed_[l][k][step] =
+                !changes_by_factor(static_cast<LeafFlux>(k)) ? after - before
+                : before > none ? std::clamp(after / before, 0., 2.)
+                                : 1;
+        }
+}
+
+//! Completes the changes of other steps, by linear interpolation between days
+//! at the same hour, by day or by night as they are.
+void WaterFluxes::complete_closed() {
+    if (closed_.empty()) return;
+    const std::vector<TimeStep>& steps = light_.series.steps;
+    for (const std::vector<std::size_t>& all : alike(steps)) {
+        std::vector<std::size_t> known;
+        for (const std::size_t i : all)
+            if (closes_in_[i]) known.push_back(i);
+        for (const std::size_t i : all) {
+            if (closes_in_[i]) continue;
+            const auto next = std::ranges::upper_bound(known, i);
+            for (ClosedStomata& each : closed_)
+                for (std::size_t k = 0; k < leaf_fluxes; ++k) {
+                    const auto at = [&](auto place) { return each[k][*place]; };
+                    each[k][i] =
+                        next == known.begin() ? at(next)
+                        : next == known.end()
+                            ? at(next - 1)
+                            : std::lerp(
+                                  at(next - 1), at(next),
+                                  static_cast<double>(i - *(next - 1)) /
+                                      static_cast<double>(*next - *(next - 1)));
+                }
+        }
+    }
 }
 
 //! Samples points of a step by systematic sampling along the leaves, shade

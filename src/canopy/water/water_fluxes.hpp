@@ -51,6 +51,9 @@ class WaterFluxes {
     //! Adds the deviations of sampled points from their lines.
     void add_drawn_to(FluxTallies& all) const;
 
+    //! Returns the changes of fluxes if stomata close.
+    const std::vector<ClosedStomata>& closed() const { return closed_; }
+
     //! Returns fluxes by LeafFlux. The first is uptake minus gross assimilation
     //! at air temperature.
     const std::vector<Flux>& fluxes() const { return fluxes_; }
@@ -63,6 +66,10 @@ class WaterFluxes {
     void find_lines(const StepLight* light);
     void add_lines(std::size_t step, const StepLight* light);
     void add_hot(std::size_t step, const StepLight* light);
+    std::vector<LeafLines::Stratum> strata(const StepLight* light) const;
+    void close_stomata(std::size_t step, const StepLight* light);
+    void prepare_closed();
+    void complete_closed();
     void draw(std::size_t step, const StepLight* light);
     void add_drawn(std::size_t step, const StepLight* light,
                    std::size_t randomisation, std::size_t area, double times);
@@ -79,6 +86,8 @@ class WaterFluxes {
     std::optional<LeafLines> lines_{};
     FluxTallies drawn_;  //!< fluxes of sampled points minus their lines
     std::vector<Flux> fluxes_;
+    std::vector<ClosedStomata> closed_;  //!< by LeafWater::openings
+    std::vector<bool> closes_in_{};      //!< steps in which closed_ is computed
     //! Factors from fluxes in a step to amounts on a mean day.
     std::array<double, leaf_fluxes> amounts_{};
     //! Sums over leaves in a step: sampled points minus their lines.

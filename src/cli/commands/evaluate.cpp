@@ -112,28 +112,20 @@ Json to_json(const Study& study) {
 std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const Case& chosen, const Plants& plants,
                            const std::string& isa) {
-    const Device device(isa);
     std::vector<Study> results;
-    const std::vector<Case> cases = evaluated_cases(chosen);
-    LightCue cue(campaign, cases);
-    cue.prepare(device);
-    LightCue::Response response(cue);
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        const Case& scenario = cases[i];
-        CanopyRequest request =
-            request_of(sampling_of(task, campaign, scenario), campaign,
-                       scenario, scene_of(campaign, scenario), plants);
-        response.set_plants(i, plants, request.scene);
-        request.details.sunlit = true;
-        const double began = now();
-        CanopyReport report = evaluate(request, device, {}, available_cores());
-        const double seconds = now() - began;
-        response.observe(i, request.scene, report);
-        std::vector<Measured> objectives = objectives_of(report, campaign);
-        results.push_back({scenario, std::move(report), std::move(objectives),
-                           seconds,
-                           outcome_schema(campaign, scenario, {}).measured});
-    }
+    double began = now();
+    Stand(campaign, chosen)
+        .report_each(plants, sampling_of(task, campaign, chosen), Device(isa),
+                     [&](const Case& scenario, CanopyReport report) {
+                         std::vector<Measured> objectives =
+                             objectives_of(report, campaign);
+                         results.push_back(
+                             {scenario, std::move(report),
+                              std::move(objectives), now() - began,
+                              outcome_schema(campaign, scenario, {}).measured});
+                         began = now();
+                     },
+                     {.sunlit = true, .threads = available_cores()});
     return results;
 }
 

@@ -357,6 +357,8 @@ constexpr Table spec_tables[] = {
         .variable()
         .written_if<Spec, assimilates>(),
     table<&Spec::water>("water", water_table),
+    table<&Spec::soil>("soil", soil_table),
+    table<&Spec::irrigation>("irrigation", irrigation_table),
     table<&Spec::constraints>("constraints", constraints_table),
     table<&Spec::feasibility>("feasibility", feasibility_table)
         .optional()

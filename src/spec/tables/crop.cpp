@@ -156,6 +156,13 @@ constexpr Key growth_keys[] = {
     key<&Growth::ear_maintenance>("ear_maintenance", within(0, 0.1, "d-1"), usual(), "carbohydrate that the dry matter which enters the ear after silking respires at 25 deg C, times `maintenance`, until maturity; 0: no effect").quiet(),
 };
 
+constexpr Key grain_keys[] = {
+    key<&Grain::rule>("kernel_rule", any_value, usual(), "number of kernels by growth around silking, after Andrade and others 2002, or as in CERES-Maize"),
+    key<&Grain::kernels>("kernels", within(0, 5000), usual(), "kernels per plant: by Andrade those of a growth of 4.2 g d-1, by CERES the most"),
+    key<&Grain::rate>("filling_rate", within(0, 100, "mg d-1"), usual(), "growth of a kernel at the best temperature"),
+    key<&Grain::reserves>("reserves", within(0, 1), usual(), "reserves of the stem at silking, as a fraction of its dry mass"),
+};
+
 constexpr Key leaf_keys[] = {
     measured<leaf_measures, "length">(required("0.651")),
     measured<leaf_measures, "width">(required("0.073")),
@@ -248,6 +255,7 @@ constinit const Description petiole_table =
 constinit const Description blade_table = of_crop<Blade>("blade", blade_keys);
 constinit const Description growth_table =
     of_crop<Growth>("growth", growth_keys);
+constinit const Description grain_table = of_crop<Grain>("grain", grain_keys);
 constinit const Description plasticity_table =
     of_crop<Plasticity>("plasticity", plasticity_keys);
 constinit const Description response_table =
@@ -268,6 +276,7 @@ constexpr Table crop_parts[] = {
         .written_if<CropSpec, has_petioles>(),
     table<&CropSpec::baseline, &Plant::blade>("blade", blade_table).variable(),
     table<&CropSpec::growth>("growth", growth_table),
+    table<&CropSpec::grain>("grain", grain_table),
     table<&CropSpec::baseline, &Plant::leaves>("leaf", leaf_table)
         .variable()
         .at_most(most_leaves),

@@ -61,6 +61,7 @@ constexpr Key climate_keys[] = {
     key<&NamedClimate::value, &Climate::wind_height>("wind_height", within(0.5, 200, "m"), by("10"), "height of the wind measurement above the ground"),
     key<&NamedClimate::value, &Climate::columns, &ColumnMap::pressure>("pressure", any_value, none("[\"pressure\", \"kPa\"]"), "column and unit: pressure of the air"),
     key<&NamedClimate::value, &Climate::columns, &ColumnMap::longwave>("longwave", any_value, none("[\"longwave\", \"W/m2\"]"), "column and unit: longwave radiation of the sky on a horizontal plane"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::rain>("rain", any_value, none("[\"rain\", \"mm\"]"), "column and unit: rain of each step, or of each day in one of its rows; empty entries are none"),
     key<&NamedClimate::value, &Climate::co2>("co2", within(50, 5000, "umol mol-1"), by("400"), "mole fraction of CO2 in the air"),
 };
 
@@ -80,6 +81,7 @@ constexpr Key weather_keys[] = {
     key<&SiteWeather::wind>("wind", unlimited("m s-1"), none("[0, 0]"), "speed of the wind, if it is known"),
     key<&SiteWeather::pressure>("pressure", unlimited("kPa"), none("[0, 0]"), "pressure of the air, if it is known"),
     key<&SiteWeather::longwave>("longwave", unlimited("W m-2"), none("[0, 0]"), "longwave radiation of the sky, if it is known"),
+    key<&SiteWeather::rain>("rain", unlimited("mm"), none("[0, 0]"), "rain, if it is known"),
 };
 // clang-format on
 

@@ -124,8 +124,9 @@ def test_formats_of_earlier_versions_are_converted(
     name: str, tmp_path: Path
 ) -> None:
     converted = convert(tmp_path, DATA / name)
-    # Wind and pressure are tested by test_wind_and_pressure_are_converted().
-    converted = converted.drop(columns=["wind", "pressure"], errors="ignore")
+    # test_wind_and_pressure_are_converted() tests other columns.
+    others = ["wind", "pressure", "rain"]
+    converted = converted.drop(columns=others, errors="ignore")
     expected = read_expected()[list(converted)]
     assert ("diffuse" in converted) == (name != "power_lst.csv")
     assert list(converted.index) == list(expected.index)
@@ -139,6 +140,22 @@ def test_wind_and_pressure_are_converted(name: str, tmp_path: Path) -> None:
     assert converted["pressure"].iloc[0] == pytest.approx(98.6)
     if name == "tmy3.csv":
         assert converted["wind"].iloc[0] == pytest.approx(2.6)
+
+
+def test_rain_of_power_is_converted(tmp_path: Path) -> None:
+    """Rain is a rate [mm h-1], so that means over longer steps stay true."""
+    head, table = (DATA / "power_utc.csv").read_text().split("-END HEADER-\n")
+    names, *rows = table.splitlines()
+    lines = [f"{names},PRECTOTCORR"]
+    lines += [f"{row},{0.5 * (i % 4)}" for i, row in enumerate(rows)]
+    file = tmp_path / "rain.csv"
+    file.write_text(head + "-END HEADER-\n" + "\n".join(lines) + "\n")
+    converted = convert(tmp_path, file)
+    assert converted["rain"].iloc[:5].tolist() == [0, 0.5, 1, 1.5, 0]
+    weather = read_weather(
+        tmp_path, tmp_path / "weather.csv", "1981-07-02", "1981-07-03"
+    )
+    assert sum(weather["rain"]) == pytest.approx(48 * 0.75)
 
 
 def test_the_program_reads_the_converted_file(tmp_path: Path) -> None:

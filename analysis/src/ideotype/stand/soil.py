@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 from ..common.arrays import real_within
 from ..common.compiled import _core
 from ..errors import Error, did_you_mean
+
+#: Decides about a day of a season, see Stand.season().
+Control = Callable[[dict[str, Any]], Mapping[str, float] | None]
 
 # Smallest and largest value of each parameter of the soil, in the column order
 # of the compiled module.
@@ -119,3 +122,30 @@ def _numbers(
         kind = "one number for each day" if dimensions else "a number"
         raise Error(f"{name} has the shape {numbers.shape}; give {kind}")
     return numbers
+
+
+def answer_by(
+    control: Control,
+) -> Callable[[dict[str, Any]], tuple[float | None, float | None]]:
+    """Returns a function that returns the answer of `control` as the pair of
+    stress and irrigation, None where it leaves one out.
+
+    Raises Error if the answer has other entries or is out of range."""
+    limits = {"stress": (0, 1), "irrigation": (0, 1e4)}
+
+    def ask(day: dict[str, Any]) -> tuple[float | None, float | None]:
+        answer = control(day) or {}
+        for name in answer:
+            if name not in limits:
+                raise Error(
+                    f"control returned {name!r}{did_you_mean(name, list(limits))}"
+                )
+        stress, irrigation = (
+            float(_numbers(name, answer[name], limits[name], 0))
+            if name in answer
+            else None
+            for name in limits
+        )
+        return stress, irrigation
+
+    return ask

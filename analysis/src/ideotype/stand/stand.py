@@ -30,6 +30,7 @@ from ..mesh.geometry import Mesh
 from .comparison import Comparison
 from .evaluated import Evaluated, make_dataset
 from .plants import Plant, compare_plants, restore_stand
+from .soil import Control, answer_by
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -389,6 +390,38 @@ class Stand:
             float(violation),
             np.array(numbers).reshape(-1, 2),
         )
+
+    def season(
+        self,
+        genome: ArrayLike,
+        control: Control | None = None,
+    ) -> pd.DataFrame:
+        """Runs the days of the season with soil that dries (`[soil]` of the
+        campaign), for the mean of all randomisations of an evaluation.
+
+        genome: [genes] or [free genes].
+        control: called in the morning of each day with a dictionary of its
+            numbers, those of the result, in which fluxes are 0 and the water
+            of the soil is that of the morning. It may return `stress`,
+            transpiration over potential transpiration (0 to 1), instead of the
+            program's soil, and `irrigation` [mm] instead of the campaign's.
+
+        Returns one row for each day: `date`, `thermal_time` [deg C d], `rain`,
+        `irrigation`, `potential_transpiration` (with open stomata),
+        `potential_evaporation` (of wet soil below the canopy),
+        `transpiration`, `evaporation`, `drainage` and `runoff` [mm],
+        `root_depth` [m], and in the evening `soil_water`, `depletion` and
+        `evaporable_depletion` [mm], with the largest `soil_water`,
+        `available`.
+
+        Raises Error if the campaign has no soil, or the answer is out of
+        range."""
+        days = self._case.season(
+            self._plants(genome)[0], control and answer_by(control)
+        )
+        table = pd.DataFrame(days)
+        table["date"] = pd.to_datetime(table["date"])
+        return table
 
     def light_at(
         self,

@@ -20,8 +20,8 @@ import pandas as pd
 from ...errors import Error
 
 #: The columns of readings: light [W m-2], temperature [deg C], relative
-#: humidity [%], wind at 10 m [m s-1], pressure [kPa] and longwave radiation of
-#: the sky [W m-2].
+#: humidity [%], wind at 10 m [m s-1], pressure [kPa], longwave radiation of
+#: the sky [W m-2] and rain [mm h-1].
 COLUMNS = (
     "global",
     "beam_normal",
@@ -31,6 +31,7 @@ COLUMNS = (
     "wind",
     "pressure",
     "longwave",
+    "rain",
 )
 _PVLIB = ("ghi", "dni", "dhi", "temp_air", "relative_humidity")
 MISSING = [-99, -999, -9900, -9999, 9999, 99999]
@@ -107,12 +108,12 @@ def read_epw(path: Path) -> Readings:
     names = dict(enumerate(("year", "month", "day", "hour", "minute")))
     names |= {6: "temperature", 8: "humidity", 13: "global"}
     names |= {14: "beam_normal", 15: "diffuse"}
-    names |= {21: "wind", 9: "pressure", 12: "longwave"}
+    names |= {21: "wind", 9: "pressure", 12: "longwave", 33: "rain"}
     table = pd.read_csv(
         io.StringIO("\n".join(lines[first + 1 :])), header=None
     )
     table = table[[x for x in names if x in table]].rename(columns=names)
-    unknown = {"temperature": 99.9, "humidity": 999, "wind": 999}
+    unknown = {"temperature": 99.9, "humidity": 999, "wind": 999, "rain": 999}
     table = table.replace(unknown | {"pressure": 999999}, np.nan)
     # A single row per hour, at minute 0 or 60, is the mean of the hour.
     is_parted = table["minute"].nunique() > 1
@@ -180,7 +181,7 @@ def read_power(path: Path) -> Readings:
     is_utc = re.search(r"^Dates.*UTC *$", head, re.MULTILINE)
     return named(
         table,
-        (*light, "T2M", "RH2M", "WS10M", "PS", longwave),
+        (*light, "T2M", "RH2M", "WS10M", "PS", longwave, "PRECTOTCORR"),
         utc_offset=0 if is_utc else round(longitude / 15),
         place=(latitude, longitude),
         stamp="beginning",
@@ -208,6 +209,9 @@ def read_knmi(path: Path) -> Readings:
     if "T" in table:
         # The unit of the file is 0.1 deg C.
         table["T"] = pd.to_numeric(table["T"]) / 10
+    if "RH" in table:
+        # The unit of the file is 0.1 mm; -1 is less than 0.05 mm.
+        table["RH"] = pd.to_numeric(table["RH"]).clip(lower=0) / 10
     place = re.search(
         rf"^# *{station}:? +(-?[\d.]+) +(-?[\d.]+) ",
         "\n".join(head),
@@ -215,7 +219,7 @@ def read_knmi(path: Path) -> Readings:
     )
     return named(
         table,
-        ("Q", "", "", "T", "U"),
+        ("Q", "", "", "T", "U", "", "", "", "RH"),
         place=(float(place[2]), float(place[1])) if place else None,
     )
 

@@ -84,8 +84,14 @@ def warmth_of_day(largest: float, smallest: float) -> Numbers:
     return np.asarray(mean + half * wave)
 
 
+def saturated(temperature: float) -> float:
+    """Returns the saturation vapour pressure [kPa] (FAO-56, equation 11)."""
+    return 0.6108 * math.exp(17.27 * temperature / (temperature + 237.3))
+
+
 def hourly(season: Season, folder: Path) -> tuple[Path, date]:
-    """Writes hourly weather of a season. Returns its file and the day of
+    """Writes hourly weather of a season. The smallest temperature of a day is
+    its dew point (FAO-56, equation 48). Returns its file and the day of
     emergence, which follows sowing by 45 deg C d plus 6 deg C d per cm of
     depth (CERES)."""
     lines = (DATA / season.weather).read_text().splitlines()
@@ -94,12 +100,13 @@ def hourly(season: Season, folder: Path) -> tuple[Path, date]:
     sums, emergence = 0.0, None
     zone = f"{season.utc_offset:+03}:00"
     with path.open("w", encoding="utf-8") as file:
-        print("time,global,temp", file=file)
+        print("time,global,temp,rh,rain", file=file)
         for day, *numbers in rows:
             today = date.fromisoformat(day)
-            energy, largest, smallest = map(float, numbers[:3])
+            energy, largest, smallest, rain = map(float, numbers[:4])
             watts = light_of_day(season, today, energy)
             warmth = warmth_of_day(largest, smallest)
+            dew = saturated(smallest)
             if today > season.sown and emergence is None:
                 sums += float(np.mean(np.clip(warmth, 8, 34) - 8))
                 if sums >= 45 + 6 * season.depth:
@@ -107,7 +114,8 @@ def hourly(season: Season, folder: Path) -> tuple[Path, date]:
             for hour in range(24):
                 print(
                     f"{day}T{hour:02}:30{zone},{watts[hour]:.1f},"
-                    f"{warmth[hour]:.2f}",
+                    f"{warmth[hour]:.2f},{dew / saturated(warmth[hour]):.3f},"
+                    f"{rain if hour == 0 else 0}",
                     file=file,
                 )
     assert emergence

@@ -3,22 +3,27 @@
 """Compares maize in soil that dries with measured fields, and asks what drought
 and shade cost.
 
-drought.py [--measured FOLDER] [--years FOLDER] [--seeds N] [--only PART ...]
-
-Parts:
+drought.py FOLDER [--measured FOLDER] [--years FOLDER] [--only PART] [--rough]
 
 * gainesville: shoots, grain and kernels of the trial UFGA8201 of 1982, rain-fed
-  (treatment 2) and irrigated (treatment 4), with its weather, soil and irrigation.
-  --measured is a folder with the files ufga1982_soil.csv, ufga1982_irrigation.csv
-  and ufga1982_growth.csv and ufga1982_harvest.csv, made from
+  (treatment 2) and irrigated (treatment 4), with its weather, soil and
+  irrigation; both rules of kernels; and what would close the gap between
+  computed and measured, one change at a time in both treatments. --measured is a
+  folder with the tables ufga1982_soil.csv, ufga1982_irrigation.csv,
+  ufga1982_growth.csv and ufga1982_harvest.csv, made from
   github.com/DSSAT/dssat-csm-data, ac780c7; the project does not contain them.
-* years: water of the soil and evapotranspiration by month in several years.
-  --years is a folder with champaign_1995_2023_may_sep.csv.gz, made from
+* ames: shoots and grain of Ames 1999 (IUAF9901, treatment 4), rain-fed in a silty
+  clay loam, with dry matter of measured_seasons.py.
+* years: water and grain of six years at Champaign, and evapotranspiration by
+  month. --years is a folder with champaign_1995_2023_may_sep.csv.gz, made from
   cmi_weather_data of the R package BioCro (b8ed268); the project does not contain
   it.
-* rules: both rules of kernels, in both treatments.
-* shade: grain lost over light lost, in shade from silking to maturity.
-* cost: CPU time of an evaluation with soil over that without, in pairs.
+* bred: plants that are optimised for grain in a wet and in a dry year, rain-fed
+  and irrigated, and what each loses in the other conditions; needs --years.
+* cost: CPU time of an evaluation with soil over that without, in pairs; needs
+  --years.
+* shade: grain lost over light lost, in shade from ten days after silking to
+  maturity, and below modules.
 
 Nothing is fitted to the measured values."""
 
@@ -29,7 +34,7 @@ import csv
 import gzip
 import math
 import time
-from collections.abc import Iterator
+from collections.abc import Mapping
 from datetime import date
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -40,11 +45,19 @@ import pandas as pd
 from climates import growing_season
 from estimates import estimate, plus_minus, print_table, ratio
 from measured_seasons import SEASONS, crop_of, in_season
-from shared import HYBRID_1980S, guard
+from shared import (
+    HYBRID_1980S,
+    ROUGH,
+    best_plants,
+    campaign_of,
+    guard,
+    parser_of_searches,
+    run_parts,
+)  # fmt: skip
 
 from ideotype import Stand
 
-GAINESVILLE = SEASONS[0]
+GAINESVILLE, AMES = SEASONS
 TREATMENTS = {"rain-fed": "2", "irrigated": "4"}
 #: Kernels and filling of the hybrid of the trial, McCurdy 84aa, in CERES-Maize
 #: (G2 and G3 of DSSAT).
@@ -86,18 +99,28 @@ def soil_of(folder: Path) -> dict[str, Any]:
 
 
 def irrigation_of(folder: Path, treatment: str) -> dict[str, Any]:
-    """Returns [irrigation] of a treatment."""
+    """Returns [irrigation] of a treatment, if there is any."""
     rows = [
         x for x in rows_of(folder, "irrigation") if x["treatment"] == treatment
     ]
+    if not rows:
+        return {}
     return {
-        "dates": [date.fromisoformat(x["date"]) for x in rows],
-        "amounts": [float(x["mm"]) for x in rows],
+        "irrigation": {
+            "dates": [date.fromisoformat(x["date"]) for x in rows],
+            "amounts": [float(x["mm"]) for x in rows],
+        }
     }
 
 
 def gainesville(
-    folder: Path, work: Path, treatment: str, **grain: Any
+    folder: Path,
+    work: Path,
+    treatment: str,
+    *,
+    grain: Mapping[str, Any] = {},
+    soil: Mapping[str, Any] = {},
+    width: float = 1,
 ) -> Stand:
     """Returns the stand of a treatment. The dew point of each day is its
     smallest temperature (FAO-56, equation 48)."""
@@ -106,7 +129,10 @@ def gainesville(
     )
     crop = crop_of({"plant": {"baseline": str(HYBRID_1980S)}})
     tables["plant"] = {
-        "baseline": {**crop, "grain": {**crop["grain"], **grain}}
+        "baseline": {
+            **scaled_leaves(crop, width),
+            "grain": {**crop["grain"], **grain},
+        }
     }
     tables = in_season(tables, GAINESVILLE, work)
     tables["climate"][0] |= {"humidity": ["rh", "1"], "rain": ["rain", "mm"]}
@@ -115,8 +141,8 @@ def gainesville(
         | {
             "objective": {"maximise": "grain_yield"},
             "water": {},
-            "soil": soil_of(folder),
-            "irrigation": irrigation_of(folder, treatment),
+            "soil": {**soil_of(folder), **soil},
+            **irrigation_of(folder, treatment),
         }
     )
 
@@ -231,27 +257,144 @@ def compare(folder: Path, seeds: int) -> None:
     print_table(["Gainesville 1982", "measured", "computed"], rows)
 
 
-def compare_rules(folder: Path, seeds: int) -> None:
-    """Prints kernels and grain by both rules."""
+def compare_ames(seeds: int) -> None:
+    """Prints shoots and grain of Ames beside what was measured. The soil of the
+    trial is not known; a silty clay loam is assumed."""
+    tables = growing_season(
+        light={"tolerance": 0.01}, photosynthesis={"model": "collatz"}
+    )
+    tables["plant"] = {"baseline": str(HYBRID_1980S)}
+    with TemporaryDirectory() as work:
+        tables = in_season(tables, AMES, Path(work))
+        tables["climate"][0] |= {
+            "humidity": ["rh", "1"],
+            "rain": ["rain", "mm"],
+        }
+        tables |= {
+            "objective": {"maximise": "grain_yield"},
+            "water": {},
+            "soil": {"texture": "silty_clay_loam"},
+        }
+        found = figures(Stand(tables), seeds)
+    measured = {
+        "1999-07-21": 4.822,
+        "1999-08-13": 11.578,
+        "1999-08-31": 16.093,
+        str(found[0].day.values[-1]): AMES.measured["harvest"],
+    }
+    rows = [
+        [
+            f"shoot on {day} [t ha-1]",
+            f"{value:.1f}",
+            plus_minus(over(found, "shoot_by_day", day=day), 1),
+        ]
+        for day, value in measured.items()
+    ]
+    rows += [
+        [
+            "grain, dry [t ha-1]",
+            "10.35",
+            plus_minus(over(found, "grain_yield"), 2),
+        ],
+        ["kernels [m-2]", "", plus_minus(over(found, "kernels"), 0)],
+        *(
+            [
+                f"{name.replace('_', ' ')} [mm]",
+                "",
+                plus_minus(over(found, name), 0),
+            ]
+            for name in ("rain", "water_use", "soil_evaporation", "drainage")
+        ),
+        [
+            "transpiration prevented",
+            "",
+            plus_minus(over(found, "water_stress"), 3),
+        ],
+    ]
+    print_table(["Ames 1999", "measured", "computed"], rows)
+
+
+def scaled_leaves(crop: dict[str, Any], width: float) -> dict[str, Any]:
+    """Returns a crop whose leaves are wider by a factor."""
+    return {
+        **crop,
+        "leaf": [{**x, "width": x["width"] * width} for x in crop["leaf"]],
+    }
+
+
+def compare_changes(folder: Path, seeds: int) -> None:
+    """Prints kernels and grain of both treatments with one change at a time.
+    Leaves of the rain-fed field that are as small as measured change that
+    treatment only."""
+    measured = {x["treatment"]: x for x in rows_of(folder, "harvest")}
+    smaller = float(measured["2"]["lai_max"]) / float(measured["4"]["lai_max"])
+    changes: dict[str, dict[str, Any]] = {
+        "as it is": {},
+        "kernels by ceres": {"grain": CERES},
+        "leaves of the rain-fed field as small as measured": {
+            "width": smaller
+        },
+        "roots of 0.9 m": {"soil": {"root_depth": 0.9}},
+        "roots of 0.6 m": {"soil": {"root_depth": 0.6}},
+        "stress from a quarter of the water on": {
+            "soil": {"depletion_fraction": 0.25}
+        },
+        "roots half as fast": {"soil": {"root_rate": 0.0011}},
+        "all but the shallowest roots": {
+            "grain": CERES,
+            "width": smaller,
+            "soil": {
+                "root_depth": 0.9,
+                "depletion_fraction": 0.25,
+                "root_rate": 0.0011,
+            },
+        },
+    }
     rows = []
     with TemporaryDirectory() as work:
-        for rule, grain in {"andrade": {}, "ceres": CERES}.items():
-            found = {
-                name: figures(
-                    gainesville(folder, Path(work), treatment, **grain), seeds
+        for name, change in changes.items():
+            found = {}
+            for treatment, number in TREATMENTS.items():
+                width = change.get("width", 1) if number == "2" else 1
+                found[treatment] = figures(
+                    gainesville(
+                        folder,
+                        Path(work),
+                        number,
+                        grain=change.get("grain", {}),
+                        soil=change.get("soil", {}),
+                        width=width,
+                    ),
+                    seeds,
                 )
-                for name, treatment in TREATMENTS.items()
-            }
-            for quantity, digits in (("kernels", 0), ("grain_yield", 2)):
-                values = [over(found[x], quantity) for x in TREATMENTS]
-                rows.append(
-                    [
-                        f"{quantity} by {rule}",
-                        *(plus_minus(x, digits) for x in values),
-                        plus_minus(ratio(*values), 2),
-                    ]
-                )
-    print_table(["", *TREATMENTS, "ratio"], rows)
+            grain = [over(found[x], "grain_yield") for x in TREATMENTS]
+            kernels = [over(found[x], "kernels") for x in TREATMENTS]
+            rows.append(
+                [
+                    name,
+                    *(plus_minus(x, 0) for x in kernels),
+                    *(plus_minus(x, 1) for x in grain),
+                    plus_minus(ratio(*grain), 2),
+                ]
+            )
+    rows.append(
+        [
+            "measured",
+            *(measured[x]["kernels_m2"] for x in ("2", "4")),
+            *(
+                f"{float(measured[x]['grain_dry_kg_ha']) / 1000:.1f}"
+                for x in ("2", "4")
+            ),
+            f"{3130 / 11881:.2f}",
+        ]
+    )
+    print_table(
+        [
+            "changed", "kernels, rain-fed [m-2]", "irrigated",
+            "grain, rain-fed [t ha-1]", "irrigated", "ratio of grain",
+        ],
+        rows,
+    )  # fmt: skip
 
 
 def champaign(
@@ -395,6 +538,129 @@ def compare_shade(seeds: int) -> None:
     )
 
 
+def below_modules(has_modules: bool) -> dict[str, Any]:
+    """Returns the season of Bondville 2011 below the modules of
+    agrivoltaic.toml, or without them, with twice the distance between rows of
+    modules: modules cover a fifth of the ground."""
+    modules = campaign_of("agrivoltaic")
+    campaign = growing_season(
+        light={"tolerance": 0.01},
+        spacing=modules["spacing"],
+        field={**modules["field"], "rows": 16, "plants": 2},
+    )
+    if has_modules:
+        campaign["panel"] = [
+            {**x, "pitch": 2 * x["pitch"]} for x in modules["panel"]
+        ]
+    return campaign | {
+        "objective": {"maximise": "grain_yield"},
+        "band": [{"name": "nir"}],
+    }
+
+
+def compare_modules(seeds: int) -> None:
+    """Prints grain and light lost below modules."""
+    found, full = (
+        figures(Stand(below_modules(x)), seeds) for x in (True, False)
+    )
+    rows = [
+        [
+            name,
+            plus_minus(
+                estimate(
+                    [
+                        100 * (1 - float(x[name]) / float(y[name]))
+                        for x, y in zip(found, full, strict=True)
+                    ]
+                ),
+                1,
+            ),
+        ]
+        for name in (
+            "absorbed_par", "net_assimilation", "kernels", "grain_yield"
+        )
+    ]  # fmt: skip
+    print_table(["below modules", "lost [%]"], rows)
+
+
+CONDITIONS = {
+    "wet": (2014, {}),
+    "dry": (2012, {}),
+    "dry, irrigated": (2012, {"irrigation": {"depletion": 0.5}}),
+}
+
+
+def compare_bred(options: argparse.Namespace) -> None:
+    """Prints the grain of plants that were optimised in each condition, in all
+    conditions."""
+    with TemporaryDirectory() as work:
+        stands, plants = {}, {}
+        for name, (year, tables) in CONDITIONS.items():
+            campaign = champaign(options.years, year, Path(work), **tables)
+            campaign |= {
+                "name": "bred_" + name.replace(", ", "_"),
+                "search": {"optimizer": "cma_es", "population": 16},
+                "replicates": options.seeds,
+                "light": {"tolerance": 0.02},
+                "final": {
+                    "candidates": 3,
+                    "paths": 1024,
+                    "randomisations": 16,
+                },
+                "stop": {"generations": options.generations},
+            } | (ROUGH if options.rough else {})
+            plants[name] = best_plants(campaign, options.folder)
+            stands[name] = Stand(campaign)
+        rows = []
+        for bred in ("baseline", *CONDITIONS):
+            row = [bred]
+            for name, stand in stands.items():
+                found = [
+                    stand.evaluate(
+                        stand.baseline if bred == "baseline" else plant,
+                        ["grain_yield", "water_use", "lai"],
+                        final=True,
+                    ).isel(plant=0)
+                    for plant in plants[name if bred == "baseline" else bred]
+                ]
+                for quantity, digits in (
+                    ("grain_yield", 2), ("water_use", 0), ("lai", 2)
+                ):  # fmt: skip
+                    row.append(plus_minus(over(found, quantity), digits))
+            rows.append(row)
+    print_table(
+        [
+            "optimised for",
+            *(
+                f"{quantity}, {name}"
+                for name in CONDITIONS
+                for quantity in (
+                    "grain [t ha-1]", "transpiration [mm]", "leaf area index"
+                )
+            ),
+        ],
+        rows,
+    )  # fmt: skip
+    traits = pd.DataFrame(
+        {
+            f"{name} {i + 1}": stands[name].genes.assign(best=plant)["best"]
+            for name, each in plants.items()
+            for i, plant in enumerate(each)
+        }
+    )
+    genes = stands["wet"].genes
+    print()
+    print_table(
+        ["trait", "baseline", *traits],
+        [
+            [str(g["name"]), f"{g['baseline']:.3g}"]
+            + [f"{x:.3g}" for x in traits.loc[i]]
+            for i, g in genes.iterrows()
+            if g["is_free"]
+        ],
+    )
+
+
 def compare_cost(folder: Path, pairs: int) -> None:
     """Prints the CPU time of evaluations with soil over that without, in a dry
     year."""
@@ -424,37 +690,32 @@ def compare_cost(folder: Path, pairs: int) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = parser_of_searches(__doc__, seeds=4, generations=40)
     parser.add_argument("--measured", type=Path)
     parser.add_argument("--years", type=Path)
-    parser.add_argument("--seeds", type=int, default=4)
-    parser.add_argument("--only", nargs="*")
-    options = parser.parse_args()
+    years = [2011, 2012, 2005, 1999, 2014, 2023]
 
-    def parts() -> Iterator[tuple[str, Any]]:
-        if options.measured:
-            yield (
-                "gainesville",
-                lambda: compare(options.measured, options.seeds),
-            )
-            yield (
-                "rules",
-                lambda: compare_rules(options.measured, options.seeds),
-            )
-        if options.years:
-            yield (
-                "years",
-                lambda: compare_years(
-                    options.years, [2011, 2012, 2005, 1999, 2014, 2023]
-                ),
-            )
-            yield "cost", lambda: compare_cost(options.years, 9)
-        yield "shade", lambda: compare_shade(options.seeds)
+    def gainesville_parts(options: argparse.Namespace) -> None:
+        compare(options.measured, options.seeds)
+        print()
+        compare_changes(options.measured, options.seeds)
 
-    for name, run in parts():
-        if not options.only or name in options.only:
-            print(f"\n## {name}\n")
-            run()
+    def shade_parts(options: argparse.Namespace) -> None:
+        compare_shade(options.seeds)
+        print()
+        compare_modules(options.seeds)
+
+    run_parts(
+        parser,
+        {
+            "gainesville": gainesville_parts,
+            "ames": lambda x: compare_ames(x.seeds),
+            "years": lambda x: compare_years(x.years, years),
+            "bred": compare_bred,
+            "cost": lambda x: compare_cost(x.years, 9),
+            "shade": shade_parts,
+        },
+    )
 
 
 if __name__ == "__main__":

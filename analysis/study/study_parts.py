@@ -156,6 +156,16 @@ PARTS = {
         ),
         ("--rough", "--only", "strip", "--generations", "1", "--seeds", "1"),
     ),
+    "grain_ames": Part(
+        "How much grain does a rain-fed field bear?",
+        ("drought.py", "{folder}", "--only", "ames"),
+        ("--seeds", "2"),
+    ),
+    "grain_shade": Part(
+        "What do shade and modules cost in grain?",
+        ("drought.py", "{folder}", "--only", "shade"),
+        ("--seeds", "2"),
+    ),
     "growth_best": Part(
         "Does the search need plant growth?",
         ("growth_maps.py", "{folder}", "--only", "best", "--seeds", "6"),

@@ -96,6 +96,26 @@ give_growth() {
         -e 's/^\[light\]/[light]\nstages = 3/' "campaigns/$1.toml"
 }
 
+# Lets the plants of give_growth dry out a sandy soil without rain, and bear
+# grain at the end. $1 the name of the campaign
+give_soil() {
+    give_growth "$1"
+    local weather=campaigns/weather/bondville_2011_0501_0930.csv
+    sed -i -e '1s/$/,rain/' -e '2,$s/$/,0/' "$weather"
+    sed -i -e 's/^temperature = /rain = ["rain", "mm"]\ntemperature = /' \
+        -e 's/^to = .*/to = 2011-08-15/' "campaigns/$1.toml"
+    cat >>"campaigns/$1.toml" <<'TOML'
+[photosynthesis]
+model = "collatz"
+[water]
+[soil]
+texture = "sand"
+[irrigation]
+dates = [2011-06-20, 2011-07-10]
+amounts = 40
+TOML
+}
+
 # Compares a group of two histories. $1 and $2 histories, $3 a group, the rest
 # datasets that may differ
 same_group() {

@@ -95,9 +95,9 @@ same_results "$(history_of whole long)" "$(history_of "on signals" long)"
 
 # Time limits include the time in which a job is suspended, but evaluations do
 # not exceed their deadline because of it.
-start "$ideotype" run campaigns/long.toml --out timed --threads 2 --wall-time 1
+start "$ideotype" run campaigns/long.toml --out timed --threads 2 --wall-time 5
 kill -STOP $job
-sleep 1
+sleep 5
 kill -CONT $job
 wait_for_job
 [ $code -eq 5 ] || fail "a time limit ended with $code: $(cat out.log)"

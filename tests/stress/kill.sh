@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Kills runs at random times, examines the histories, resumes, and compares with
 # an uninterrupted run bit for bit: see README.md.
-# kill.sh IDEOTYPE [KILLS] [SEED] [day|season|growth|threads] [KEY=VALUE...]
+# kill.sh IDEOTYPE [KILLS] [SEED] [day|season|growth|soil|threads] [KEY=VALUE...]
 ideotype=$(readlink -f "$1")
 kills=${2:-100}
 seed=${3:-1}
@@ -138,12 +138,15 @@ end_round() {
 name=0807
 lag=400
 is_season=
-[[ "$light" != season && "$light" != growth ]] || is_season=1
+[[ ! $light =~ ^(season|growth|soil)$ ]] || is_season=1
 [ -z "$is_season" ] || generations=$((generations / 4))
+[ "$light" != soil ] || generations=$((generations / 3))
 write_campaign stress $population "$generations"
 if [ -n "$is_season" ]; then
     "give_$light" stress
-    printf '[objective]\nmaximise = "carbon_balance"\n' >>campaigns/stress.toml
+    yield=carbon_balance
+    [ "$light" != soil ] || yield=grain_yield
+    printf '[objective]\nmaximise = "%s"\n' $yield >>campaigns/stress.toml
     name=july
     lag=1000  # before this the weather is read
 fi

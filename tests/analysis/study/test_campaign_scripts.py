@@ -410,3 +410,34 @@ def test_shares_of_the_light_are_tabulated_by_organ(
             100, abs=0.05
         )
         assert [int(part > 0) for part in others] == shown
+
+
+def test_drought_costs_grain(tmp_path: Path) -> None:
+    """The soil, the irrigation and the measured values are made up; the
+    weather is that of Gainesville."""
+    tables = {
+        "soil": "depth_to_cm,wilting_point,field_capacity,root_growth\n"
+        "30,.03,.10,1\n90,.03,.10,.1\n150,.03,.10,0\n",
+        "irrigation": "treatment,date,mm\n"
+        + "".join(
+            f"4,1982-0{month}-{day:02},20\n"
+            for month in (4, 5, 6)
+            for day in range(1, 30, 5)
+        ),
+        "growth": "treatment,date,biomass_kg_ha\n2,1982-05-11,4000\n",
+        "harvest": "treatment,grain_dry_kg_ha,kernels_m2,lai_max,"
+        "biomass_kg_ha\n2,3000,1500,3,7000\n4,12000,4000,4,22000\n",
+    }
+    for name, text in tables.items():
+        (tmp_path / f"ufga1982_{name}.csv").write_text(text)
+    found = run(
+        "drought.py", tmp_path, "--measured", tmp_path, "--seeds", 2,
+        "--only", "gainesville",
+    )  # fmt: skip
+    ratio = re.search(
+        r"(?m)^\| grain, rain-fed over irrigated \| 0.25 \| (\S+) ±", found
+    )
+    assert ratio is not None, found
+    assert 0.05 < float(ratio[1]) < 0.95
+    shallow = re.search(r"(?m)^\| roots of 0.6 m .*\| (\S+) ± \S+ \|$", found)
+    assert shallow is not None and float(shallow[1]) < float(ratio[1])

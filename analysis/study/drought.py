@@ -593,41 +593,49 @@ CONDITIONS = {
 def compare_bred(options: argparse.Namespace) -> None:
     """Prints the grain of plants that were optimised in each condition, in all
     conditions."""
-    with TemporaryDirectory() as work:
-        stands, plants = {}, {}
-        for name, (year, tables) in CONDITIONS.items():
-            campaign = champaign(options.years, year, Path(work), **tables)
-            campaign |= {
-                "name": "bred_" + name.replace(", ", "_"),
-                "search": {"optimizer": "cma_es", "population": 16},
-                "replicates": options.seeds,
-                "light": {"tolerance": 0.02},
-                "final": {
-                    "candidates": 3,
-                    "paths": 1024,
-                    "randomisations": 16,
-                },
-                "stop": {"generations": options.generations},
-            } | (ROUGH if options.rough else {})
-            plants[name] = best_plants(campaign, options.folder)
-            stands[name] = Stand(campaign)
-        rows = []
-        for bred in ("baseline", *CONDITIONS):
-            row = [bred]
-            for name, stand in stands.items():
-                found = [
-                    stand.evaluate(
-                        stand.baseline if bred == "baseline" else plant,
-                        ["grain_yield", "water_use", "lai"],
-                        final=True,
-                    ).isel(plant=0)
-                    for plant in plants[name if bred == "baseline" else bred]
-                ]
-                for quantity, digits in (
-                    ("grain_yield", 2), ("water_use", 0), ("lai", 2)
-                ):  # fmt: skip
-                    row.append(plus_minus(over(found, quantity), digits))
-            rows.append(row)
+    stands, plants = {}, {}
+    for name, (year, tables) in CONDITIONS.items():
+        campaign = champaign(options.years, year, options.folder, **tables)
+        campaign |= {
+            "name": "bred_" + name.replace(", ", "_"),
+            "search": {"optimizer": "cma_es", "population": 16},
+            "replicates": options.seeds,
+            "light": {"tolerance": 0.02},
+            "final": {
+                "candidates": 3,
+                "paths": 1024,
+                "randomisations": 16,
+            },
+            "stop": {"generations": options.generations},
+        } | (ROUGH if options.rough else {})
+        plants[name] = best_plants(campaign, options.folder)
+        stands[name] = Stand(campaign)
+    # The baseline with wider and narrower leaves shows what leaf area does.
+    genes = stands["wet"].genes
+    is_width = genes["name"].str.startswith("width_profile").to_numpy()
+    for factor in (0.7, 0.85, 1, 1.15, 1.3):
+        scaled = stands["wet"].baseline.copy()
+        scaled[is_width] = factor
+        plants[f"baseline, blades {factor} times as wide"] = [scaled]
+    rows = []
+    for bred, each in plants.items():
+        row = [bred]
+        for stand in stands.values():
+            found = [
+                stand.evaluate(
+                    plant,
+                    ["grain_yield", "water_use", "lai"],
+                    final=True,
+                    seed=seed,
+                ).isel(plant=0)
+                for plant in each
+                for seed in range(1, 4)
+            ]
+            for quantity, digits in (
+                ("grain_yield", 2), ("water_use", 0), ("lai", 2)
+            ):  # fmt: skip
+                row.append(plus_minus(over(found, quantity), digits))
+        rows.append(row)
     print_table(
         [
             "optimised for",
@@ -641,24 +649,6 @@ def compare_bred(options: argparse.Namespace) -> None:
         ],
         rows,
     )  # fmt: skip
-    traits = pd.DataFrame(
-        {
-            f"{name} {i + 1}": stands[name].genes.assign(best=plant)["best"]
-            for name, each in plants.items()
-            for i, plant in enumerate(each)
-        }
-    )
-    genes = stands["wet"].genes
-    print()
-    print_table(
-        ["trait", "baseline", *traits],
-        [
-            [str(g["name"]), f"{g['baseline']:.3g}"]
-            + [f"{x:.3g}" for x in traits.loc[i]]
-            for i, g in genes.iterrows()
-            if g["is_free"]
-        ],
-    )
 
 
 def compare_cost(folder: Path, pairs: int) -> None:

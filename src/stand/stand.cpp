@@ -173,7 +173,8 @@ LitCanopy Stand::light(std::size_t number, const Plants& plants,
                                        scenes_[number], plants);
     request.details.sunlit = options.sunlit;
     response.set_plants(number, plants, request.scene);
-    LitCanopy canopy(std::move(request), device, {}, options.threads);
+    LitCanopy canopy(std::move(request), device, options.clock,
+                     options.threads);
     if (cue_.is_any())
         response.observe(number, canopy.scene(), canopy.report());
     return canopy;

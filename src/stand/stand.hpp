@@ -141,6 +141,7 @@ class Stand {
     struct ReportOptions {
         bool sunlit = false;  //!< see Details::sunlit
         int threads = 1;
+        Clock clock{};  //!< for CanopyReport::seconds; none: not measured
     };
 
     //! Evaluates plants in each scenario and stage. Stages of a season with

@@ -83,6 +83,11 @@ struct Study {
     QuantitySet measured;
 };
 
+//! Returns whether a quantity is that of a whole season.
+bool is_of_season(const std::string& quantity) {
+    return is_of_soil(quantity) || is_of_grain(quantity);
+}
+
 //! Adds the names of categories to categorical quantities, which are numbers.
 void add_names(const QuantitySet& measured, Json& quantities) {
     for (const Quantity& quantity : measured.quantities) {
@@ -99,7 +104,11 @@ Json to_json(const Study& study) {
     Json json{{"case", study.scenario.name}};
     if (study.scenario.stage) json["stage"] = study.scenario.stage->at;
     json.update(to_json(study.report, Span::day));
-    add_names(study.measured, json["quantities"]);
+    // A stage has only its part of the soil and the grain of a season.
+    Json& quantities = json["quantities"];
+    for (const Quantity& each : study.measured.quantities)
+        if (is_of_season(each.name)) quantities.erase(each.name);
+    add_names(study.measured, quantities);
     json.update(parts_json(study.report));
     for (const auto& [quantity, estimate] : study.objectives) {
         json["objectives"][quantity.name] = to_json(estimate);
@@ -113,19 +122,18 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const Case& chosen, const Plants& plants,
                            const std::string& isa) {
     std::vector<Study> results;
-    double began = now();
     Stand(campaign, chosen)
-        .report_each(plants, sampling_of(task, campaign, chosen), Device(isa),
-                     [&](const Case& scenario, CanopyReport report) {
-                         std::vector<Measured> objectives =
-                             objectives_of(report, campaign);
-                         results.push_back(
-                             {scenario, std::move(report),
-                              std::move(objectives), now() - began,
-                              outcome_schema(campaign, scenario, {}).measured});
-                         began = now();
-                     },
-                     {.sunlit = true, .threads = available_cores()});
+        .report_each(
+            plants, sampling_of(task, campaign, chosen), Device(isa),
+            [&](const Case& scenario, CanopyReport report) {
+                std::vector<Measured> objectives =
+                    objectives_of(report, campaign);
+                const double seconds = report.seconds.total();
+                results.push_back(
+                    {scenario, std::move(report), std::move(objectives),
+                     seconds, outcome_schema(campaign, scenario, {}).measured});
+            },
+            {.sunlit = true, .threads = available_cores(), .clock = now});
     return results;
 }
 
@@ -190,8 +198,8 @@ Outcome outcome_of(const Campaign& campaign, const Case& chosen,
     return AcrossScenarios(campaign, chosen).combine(outcomes);
 }
 
-//! If plants grow, returns the objectives over all stages and scenarios, else
-//! an empty object.
+//! If plants grow, returns the objectives and the numbers of soil and grain
+//! over all stages and scenarios, else an empty object.
 Json season_of(const Campaign& campaign, const Case& chosen,
                const std::vector<Study>& studies) {
     Json season;
@@ -203,6 +211,13 @@ Json season_of(const Campaign& campaign, const Case& chosen,
     for (std::size_t k = 0; k < objectives.size(); ++k) {
         Json& one = season[objectives[k].name] = to_json(outcome.objectives[k]);
         one["unit"] = unit_of(campaign, objectives[k].quantity);
+    }
+    const AcrossScenarios across(campaign, chosen);
+    for (const Quantity& each : across.measured().quantities) {
+        if (!each.axes.empty() || !is_of_season(each.name)) continue;
+        Json& one = season[each.name] =
+            to_json(outcome.quantities.at(across.measured().offset(each.name)));
+        one["unit"] = each.unit;
     }
     return season;
 }

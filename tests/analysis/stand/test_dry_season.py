@@ -135,3 +135,40 @@ def test_soil_needs_water_rain_and_growth(dry: dict[str, Any]) -> None:
     with pytest.raises(ideotype.Error) as error:
         stand.season(stand.baseline)
     assert "add [soil]" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("soil", "irrigation"),
+    [
+        ({"depletion_fraction": 0}, {"depletion": 0}),
+        ({"depletion_fraction": 1, "curve_number": 100}, {}),
+        ({"total_evaporable": 0, "readily_evaporable": 0}, {}),
+        ({"field_capacity": 0.1501, "wilting_point": 0.15}, {}),
+        ({"root_depth": 0.1}, {"depletion": 0.5, "amount": 1000}),
+        ({"root_depth": 10, "root_rate": 0.1}, {"depletion": 0.3}),
+    ],
+)
+def test_extreme_soils_close_the_balance_without_nan(
+    dry: dict[str, Any],
+    soil: dict[str, float],
+    irrigation: dict[str, float],
+) -> None:
+    stand = Stand(
+        dry
+        | {"soil": soil, "irrigation": irrigation}
+        | {"light": {"stages": 3, "paths": 64, "tolerance": 0}},
+        folder=CAMPAIGNS,
+    )
+    days = stand.season(stand.baseline)
+    change = days["depletion"].diff().fillna(days["depletion"].iloc[0])
+    lost = ["transpiration", "evaporation", "drainage", "runoff"]
+    closing = (
+        days["rain"] + days["irrigation"] + change - days[lost].sum(axis=1)
+    )
+    assert closing.abs().max() < 1e-9
+    assert (days[lost] >= 0).all(axis=None)
+    found = stand.evaluate(stand.baseline).isel(plant=0)
+    assert -1e-12 <= float(found.water_stress) <= 1
+    for name, values in found.data_vars.items():
+        if values.dtype.kind == "f":
+            assert np.isfinite(values).all(), name

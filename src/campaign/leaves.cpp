@@ -324,6 +324,18 @@ void check_soil(const Spec& spec, const Problems& problems) {
             "each date, or one for all",
             plan.amounts.size(), plan.dates.size());
     }
+    for (const Date& date :
+         spec.irrigation ? spec.irrigation->dates : std::vector<Date>{})
+        of_irrigation.doubt(
+            {"dates"},
+            std::ranges::none_of(spec.climates,
+                                 [&](const NamedClimate& each) {
+                                     const Climate& climate = each.value;
+                                     return !(date < climate.emergence) &&
+                                            !(climate.period.to < date);
+                                 }),
+            "irrigation.dates has {}, which is in no season of the campaign",
+            to_string(date));
     if (!spec.soil) return;
     const Problems of_soil = problems.in("soil");
     const Soil soil = spec.soil->soil();

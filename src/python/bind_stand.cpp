@@ -133,16 +133,21 @@ nb::dict to_dict(const SeasonState& state) {
 nb::list run_season(CaseStand& stand, const Input<double, 1>& genome,
                     const std::optional<nb::callable>& control) {
     const ControlDay ask = [&](const SeasonState& state) {
+        const nb::gil_scoped_acquire acquired;
         const nb::object answer = (*control)(to_dict(state));
         const auto [stress, irrigation] =
             nb::cast<std::tuple<std::optional<double>, std::optional<double>>>(
                 answer);
         return DayControl{stress, irrigation};
     };
+    const Genome numbers = to_vector(genome);
+    std::vector<SeasonState> states;
+    {
+        const nb::gil_scoped_release released;
+        states = stand.season(numbers, control ? ask : ControlDay{});
+    }
     nb::list days;
-    for (const SeasonState& state :
-         stand.season(to_vector(genome), control ? ask : ControlDay{}))
-        days.append(to_dict(state));
+    for (const SeasonState& state : states) days.append(to_dict(state));
     return days;
 }
 

@@ -27,9 +27,10 @@ Closure closure_at(const std::vector<double>& at, double transpiration) {
     return static_cast<double>(at.size() - 1);
 }
 
-double mean_of(const std::vector<double>& values) {
-    return std::reduce(values.begin(), values.end()) /
-           static_cast<double>(values.size());
+//! Returns the part of the season's soil and grain that a stage reports: the
+//! last one reports all, so that the sum over stages has their errors.
+double part_of(std::size_t stage, std::size_t stages) {
+    return stage + 1 == stages ? 1 : 0;
 }
 
 }  // namespace
@@ -40,6 +41,9 @@ struct Season::StageDays {
     //! represents.
     std::vector<std::vector<std::size_t>> steps{};
     std::vector<double> share{};
+    //! Whether the stage represents more of a day than any other: it reports
+    //! what belongs to the day as a whole.
+    std::vector<bool> owns{};
     //! Index of each day of the season among the dates of the stage; none: the
     //! stage does not represent any of it.
     std::vector<std::optional<std::size_t>> date{};
@@ -85,9 +89,15 @@ std::vector<Season::StageDays> Season::days_of(
             seconds[d] += length;
         }
     }
+    std::vector<std::size_t> owner(days_.size());
+    for (std::size_t d = 0; d < days_.size(); ++d)
+        for (std::size_t s = 0; s < stages.size(); ++s) {
+            result[s].share[d] /= seconds[d];
+            if (result[s].share[d] > result[owner[d]].share[d]) owner[d] = s;
+        }
     for (std::size_t s = 0; s < stages.size(); ++s)
         for (std::size_t d = 0; d < days_.size(); ++d)
-            result[s].share[d] /= seconds[d];
+            result[s].owns.push_back(owner[d] == s);
     return result;
 }
 
@@ -149,7 +159,7 @@ double Season::irrigate(const SeasonState& state, double& by_depletion) const {
     const double missing =
         state.water.depletion -
         (state.day.rain - runoff(soil_->curve_number, state.day.rain)) - sum;
-    if (missing > plan.depletion * state.available) {
+    if (plan.depletion < 1 && missing > plan.depletion * state.available) {
         double more = plan.amount > 0 ? plan.amount : missing;
         if (plan.limit > 0)
             more = std::clamp(plan.limit - by_depletion, 0., more);
@@ -188,9 +198,13 @@ std::vector<SeasonState> Season::run(
         state.available = soil_->available(state.root_depth);
         state.water = water;
         state.soil_water = state.available - water.depletion;
+        const double before = by_depletion;
         state.irrigation = irrigate(state, by_depletion);
         const DayControl wanted = control ? control(state) : DayControl{};
-        state.irrigation = wanted.irrigation.value_or(state.irrigation);
+        if (wanted.irrigation) {
+            state.irrigation = *wanted.irrigation;
+            by_depletion = before;
+        }
         // The balance of the day.
         Soil soil = *soil_;
         SoilDay day{state.potential_transpiration, state.potential_evaporation,
@@ -255,25 +269,26 @@ void Season::add_water(const Soils& soils, const std::vector<StageDays>& stages,
     const auto count = static_cast<double>(days_.size());
     const auto randomisations =
         static_cast<double>(soils.by_randomisation.size());
-    // A number of each randomisation: that of the mean run, plus the deviation
-    // of the randomisation from the mean of all.
+    // A number of each randomisation: that of the mean run, times the number of
+    // the randomisation over the mean of all.
     const auto spread = [&](const auto& number) {
         ByRandomisation values = mapped(soils.by_randomisation, number);
         const double mean =
             std::reduce(values.begin(), values.end()) / randomisations;
         const double own = number(soils.mean);
-        for (double& x : values) x += own - mean;
+        for (double& x : values) x = mean > 0 ? x * own / mean : own;
         return values;
     };
     for (std::size_t s = 0; s < stages.size(); ++s) {
         const StageDays& stage = stages[s];
         SeasonWater& result = reports[s].season_water.emplace();
+        const double share = part_of(s, stages.size());
         const auto sum = [&](const auto& of_day) {
             return spread([&](const std::vector<SeasonState>& states) {
                 double all = 0;
                 for (std::size_t d = 0; d < days_.size(); ++d)
-                    all += stage.share[d] * of_day(states[d]);
-                return all;
+                    all += of_day(states[d]);
+                return share * all;
             });
         };
         using State = SeasonState;
@@ -291,11 +306,11 @@ void Season::add_water(const Soils& soils, const std::vector<StageDays>& stages,
         result.stress = spread([&](const std::vector<SeasonState>& states) {
             double missed = 0, potential = 0;
             for (std::size_t d = 0; d < days_.size(); ++d) {
-                missed += stage.share[d] * (states[d].potential_transpiration -
-                                            states[d].fluxes.transpiration);
+                missed += states[d].potential_transpiration -
+                          states[d].fluxes.transpiration;
                 potential += states[d].potential_transpiration;
             }
-            return potential > 0 ? missed / potential : 0;
+            return potential > 0 ? share * missed / potential : 0;
         });
         const std::size_t all = soils.by_randomisation.size();
         result.evaporation_of_dates.assign(all,
@@ -303,10 +318,10 @@ void Season::add_water(const Soils& soils, const std::vector<StageDays>& stages,
         result.soil_water_of_dates = result.evaporation_of_dates;
         const auto by_date = [&](const auto& of_day, ByDate& into) {
             for (std::size_t d = 0; d < days_.size(); ++d) {
-                if (!stage.date[d]) continue;
+                if (!stage.owns[d]) continue;
                 const ByRandomisation values =
                     spread([&](const std::vector<SeasonState>& states) {
-                        return stage.share[d] * of_day(states[d]);
+                        return of_day(states[d]);
                     });
                 for (std::size_t r = 0; r < all; ++r)
                     into[r][*stage.date[d]] = values[r];
@@ -336,7 +351,7 @@ double growth_around_silking(const Grain& grain, double silking,
     for (std::size_t d = 0; d < days.size(); ++d) {
         const bool sets = grain.rule == KernelRule::andrade
                               ? d + days_around_silking >= silks &&
-                                    d <= silks + days_around_silking
+                                    d < silks + days_around_silking
                               : d >= silks && days[d].thermal_time <=
                                                   silking + filling_begins;
         if (!sets) continue;
@@ -422,7 +437,7 @@ void Season::add_grain(const std::vector<StageDays>& stages, double stalk,
     }
     for (std::size_t s = 0; s < stages.size(); ++s) {
         const StageDays& stage = stages[s];
-        const double share = mean_of(stage.share);
+        const double share = part_of(s, stages.size());
         SeasonGrain& result = reports[s].season_grain.emplace();
         for (const Harvest& one : harvests) {
             const double mass = one.grain.back(), shoot = one.shoot.back();
@@ -433,9 +448,8 @@ void Season::add_grain(const std::vector<StageDays>& stages, double stalk,
             const auto of_dates = [&](const std::vector<double>& values) {
                 std::vector<double> by_date(stage.dates);
                 for (std::size_t d = 0; d < days_.size(); ++d)
-                    if (stage.date[d])
-                        by_date[*stage.date[d]] =
-                            stage.share[d] * values[d] / grams;
+                    if (stage.owns[d])
+                        by_date[*stage.date[d]] = values[d] / grams;
                 return by_date;
             };
             result.mass_of_dates.push_back(of_dates(one.grain));

@@ -228,7 +228,7 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
             const Estimate& more =
                 outcome.quantities[schema_.measured.offset("soil_evaporation")];
             water = {water.mean + more.mean,
-                     std::hypot(water.standard_error, more.standard_error)};
+                     water.standard_error + more.standard_error};
         }
         outcome.violation +=
             std::max(0., (water.mean + sure * water.standard_error) /

@@ -145,6 +145,26 @@ TEST(Season, GrainIsPartOfTheShoot) {
     EXPECT_EQ(at("grain", 50), 0);
 }
 
+//! A quantity of the season has the error of the same objective.
+TEST(Season, ErrorsOfTheSeasonAreThoseOfObjectives) {
+    Campaign campaign = dry_land(15);
+    campaign.spec.objective.maximised = {"grain_yield", "water_stress",
+                                         "soil_evaporation"};
+    const Outcome outcome = season_of(campaign);
+    const QuantitySet measured =
+        outcome_schema(campaign, cases(campaign).at(0), campaign.sampling)
+            .measured;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::string& name = campaign.spec.objective.maximised[k];
+        const Estimate &objective = outcome.objectives[k],
+                       &quantity = outcome.quantities.at(measured.offset(name));
+        EXPECT_GT(objective.standard_error, 0) << name;
+        EXPECT_NEAR(quantity.standard_error / objective.standard_error, 1, 1e-9)
+            << name;
+        EXPECT_NEAR(quantity.mean, objective.mean, 1e-9) << name;
+    }
+}
+
 //! Interpolates fluxes between openings of stomata, and computes them directly.
 TEST(Season, InterpolatedFluxesAgreeWithDirectOnes) {
     const Campaign campaign = dry_land(15, 1, "512", "32");

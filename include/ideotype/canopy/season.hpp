@@ -10,9 +10,9 @@ namespace ideotype {
 using ByRandomisation = std::vector<double>;
 using ByDate = std::vector<std::vector<double>>;
 
-//! The part of the water of a season's soil that belongs to one stage of
-//! growing plants: the part of each day that the stage represents. Sums over
-//! stages are those of the season.
+//! The part of the water of a season's soil that one stage of growing plants
+//! reports, so that sums over stages are those of the season: all from the last
+//! stage, and each day from the stage that represents most of it.
 struct SeasonWater {
     ByRandomisation evaporation, drainage, runoff, irrigation, rain;  //!< [mm]
     ByRandomisation soil_water;  //!< mean of the season [mm]
@@ -21,7 +21,7 @@ struct SeasonWater {
     ByDate evaporation_of_dates, soil_water_of_dates;  //!< [mm]
 };
 
-//! The part of a season's grain that belongs to one stage: that of the time.
+//! The part of a season's grain that one stage reports, as SeasonWater.
 struct SeasonGrain {
     ByRandomisation kernels;  //!< [m-2]
     ByRandomisation mass;     //!< dry mass [kg m-2]

@@ -43,8 +43,8 @@ inline bool changes_by_factor(LeafFlux flux) {
 
 //! The fluxes of leaves under stress, with stomata at one of
 //! LeafWater::openings, compared with those of open stomata [flux][step]. They
-//! are those of the mean leaves in the sun and in the shade, in the air of a
-//! canopy with such stomata.
+//! are those of strata of similar light, in the air of a canopy with such
+//! stomata.
 using ClosedStomata = std::vector<std::vector<double>>;
 
 //! The fluxes of a field or a canopy.
@@ -55,8 +55,9 @@ struct CanopyFluxes {
 
 //! How far stomata close in a step: at 0 they are open, at i as at the i-th
 //! opening of LeafWater::openings, and at the largest, one more than there are
-//! openings, they are closed and leaves neither transpire nor take up CO2.
-//! Between these, fluxes are linear.
+//! openings, they are closed: leaves do not transpire, and LeafFlux::uptake is
+//! 0, so that their respiration is lost (a convention). Between these, fluxes
+//! are linear.
 using Closure = double;
 
 //! Returns the change of a flux in a step, see changes_by_factor().

@@ -281,10 +281,15 @@ void WaterFluxes::close_stomata(std::size_t step, const StepLight* light) {
             // Dew does not depend on stomata.
             constexpr double none = 1e-6;
             const double before = all.front()[k], after = all[l + 1][k];
-            closed_[l][k][step] =
-                !changes_by_factor(static_cast<LeafFlux>(k)) ? after - before
-                : before > none ? std::clamp(after / before, 0., 2.)
-                                : 1;
+            const auto flux = static_cast<LeafFlux>(k);
+            if (!takes(flux, light)) {
+                closed_[l][k][step] = changes_by_factor(flux) ? 1 : 0;
+                continue;
+            }
+            closed_[l][k][step] = !changes_by_factor(flux) ? after - before
+                                  : before > none
+                                      ? std::clamp(after / before, 0., 2.)
+                                      : 1;
         }
 }
 

@@ -79,7 +79,7 @@ struct Study {
     Case scenario;
     CanopyReport report;
     std::vector<Measured> objectives;
-    double seconds;
+    double seconds;  //!< time of all threads together
     QuantitySet measured;
 };
 

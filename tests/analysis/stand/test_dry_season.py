@@ -172,3 +172,16 @@ def test_extreme_soils_close_the_balance_without_nan(
     for name, values in found.data_vars.items():
         if values.dtype.kind == "f":
             assert np.isfinite(values).all(), name
+
+
+def test_an_objective_of_grain_needs_no_table_of_photosynthesis(
+    dry: dict[str, Any],
+) -> None:
+    tables = {
+        name: table
+        for name, table in dry.items()
+        if name not in ("soil", "water", "photosynthesis")
+    } | {"objective": {"maximise": "grain_yield"}}
+    stand = Stand(tables, folder=CAMPAIGNS)
+    found = stand.evaluate_one(stand.baseline)
+    assert 2 < found.objectives[0, 0].mean() < 20

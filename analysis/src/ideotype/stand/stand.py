@@ -397,7 +397,8 @@ class Stand:
         control: Control | None = None,
     ) -> pd.DataFrame:
         """Runs the days of the season with soil that dries (`[soil]` of the
-        campaign), for the mean of all randomisations of an evaluation.
+        campaign), for the mean of all randomisations of an evaluation, in the
+        first scenario of the case.
 
         genome: [genes] or [free genes].
         control: called in the morning of each day with a dictionary of its

@@ -263,8 +263,8 @@ def _write(
         f"# made by ideotype weather from {names}: middles of time steps, "
         f"W m-2, deg C, %\n# latitude {place[0]:.6g}, longitude {place[1]:.6g}\n"
     )
-    # The program refuses gaps in these columns.
-    air = [name for name in COLUMNS[5:] if name in frame]
+    # The program refuses gaps in these columns, but not in rain.
+    air = [name for name in COLUMNS[5:-1] if name in frame]
     table = frame[
         [
             name

@@ -273,11 +273,8 @@ Stage stage_on(const Campaign& campaign, const Case& one,
 
 std::vector<SeasonDay> season_days(const Campaign& campaign,
                                    const Case& scenario) {
-    Case whole = scenario;
-    whole.stages.clear();
-    whole.stage.reset();
-    const LightSeries series = light_of(campaign, whole);
-    const Season season = season_of(campaign, whole, series);
+    const LightSeries series = light_of(campaign, scenario);
+    const Season season = season_of(campaign, scenario, series);
     const Growth& growth = *campaign.crop.growth;
     std::vector<SeasonDay> days;
     for (std::size_t first = season.begin, last = 0; first < season.end;

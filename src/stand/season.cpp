@@ -169,10 +169,9 @@ double Season::irrigate(const SeasonState& state, double& by_depletion) const {
     return sum;
 }
 
-std::vector<SeasonState> Season::run(
-    const std::vector<StageDays>& stages, std::size_t place,
-    const ControlDay& control,
-    std::vector<std::vector<Closure>>* closures) const {
+std::vector<SeasonState> Season::run(const std::vector<StageDays>& stages,
+                                     std::size_t place,
+                                     const ControlDay& control) const {
     const SoilSpec& spec = *campaign_.spec.soil;
     const std::size_t levels =
         stages.front().transpiration.front().front().size();
@@ -218,13 +217,8 @@ std::vector<SeasonState> Season::run(
         state.water = water;
         state.soil_water = state.available - water.depletion;
         // Stomata close until leaves transpire what the soil supplies.
-        if (closures &&
-            state.fluxes.transpiration < state.potential_transpiration) {
-            const Closure closure = closure_at(at, state.fluxes.transpiration);
-            for (std::size_t s = 0; s < stages.size(); ++s)
-                for (const std::size_t i : stages[s].steps[d])
-                    (*closures)[s][i] = closure;
-        }
+        if (state.fluxes.transpiration < state.potential_transpiration)
+            state.closure = closure_at(at, state.fluxes.transpiration);
         states.push_back(state);
     }
     return states;
@@ -234,7 +228,7 @@ std::vector<SeasonState> Season::run(const std::vector<LitCanopy>& stages,
                                      const ControlDay& control) const {
     std::vector<StageDays> days = days_of(stages);
     add_demand(stages, days);
-    return run(days, 0, control, nullptr);
+    return run(days, 0, control);
 }
 
 Season::Soils Season::dry(std::vector<LitCanopy>& stages) const {
@@ -242,16 +236,19 @@ Season::Soils Season::dry(std::vector<LitCanopy>& stages) const {
     if (!soil_) return soils;
     std::vector<StageDays> days = days_of(stages);
     add_demand(stages, days);
-    std::vector<std::vector<Closure>> closures;  // [stage, step]
-    for (const LitCanopy& stage : stages)
-        closures.emplace_back(stage.scene().light().series.steps.size());
-    soils.mean = run(days, 0, {}, &closures);
+    soils.mean = run(days, 0, {});
     for (std::size_t r = 1; r < days.front().transpiration.size(); ++r)
-        soils.by_randomisation.push_back(run(days, r, {}, nullptr));
+        soils.by_randomisation.push_back(run(days, r, {}));
     // Stages without stress keep every bit of their fluxes.
-    for (std::size_t s = 0; s < stages.size(); ++s)
-        if (std::ranges::any_of(closures[s], [](Closure x) { return x > 0; }))
-            stages[s].close_stomata(closures[s]);
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+        std::vector<Closure> closures(
+            stages[s].scene().light().series.steps.size());
+        for (std::size_t d = 0; d < days_.size(); ++d)
+            for (const std::size_t i : days[s].steps[d])
+                closures[i] = soils.mean[d].closure;
+        if (std::ranges::any_of(closures, [](Closure x) { return x > 0; }))
+            stages[s].close_stomata(closures);
+    }
     return soils;
 }
 

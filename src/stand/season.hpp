@@ -23,6 +23,7 @@ struct SeasonState {
     SoilWater water{};      //!< in the evening
     double soil_water = 0;  //!< in the evening, water that roots can take up
     double available = 0;   //!< largest soil_water
+    Closure closure = 0;    //!< of the stomata of all leaves
 };
 
 //! What replaces the program's soil on a day.
@@ -73,10 +74,9 @@ class Season {
     std::vector<StageDays> days_of(const std::vector<LitCanopy>& stages) const;
     void add_demand(const std::vector<LitCanopy>& stages,
                     std::vector<StageDays>& days) const;
-    std::vector<SeasonState> run(
-        const std::vector<StageDays>& stages, std::size_t randomisation,
-        const ControlDay& control,
-        std::vector<std::vector<Closure>>* closures) const;
+    std::vector<SeasonState> run(const std::vector<StageDays>& stages,
+                                 std::size_t randomisation,
+                                 const ControlDay& control) const;
     double irrigate(const SeasonState& state, double& by_depletion) const;
     void add_water(const Soils& soils, const std::vector<StageDays>& stages,
                    std::vector<CanopyReport>& reports) const;

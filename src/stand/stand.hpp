@@ -145,7 +145,7 @@ class Stand {
     };
 
     //! Evaluates plants in each scenario and stage. Stages of a season with
-    //! soil are reported after all have been evaluated.
+    //! soil or grain are reported after all have been evaluated.
     void report_each(const Plants& plants, const Sampling& sampling,
                      const Device& device, const TakeReport& take,
                      ReportOptions options);

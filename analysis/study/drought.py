@@ -385,7 +385,7 @@ def compare_changes(folder: Path, seeds: int) -> None:
                 f"{float(measured[x]['grain_dry_kg_ha']) / 1000:.1f}"
                 for x in ("2", "4")
             ),
-            f"{3130 / 11881:.2f}",
+            f"{float(measured['2']['grain_dry_kg_ha']) / float(measured['4']['grain_dry_kg_ha']):.2f}",
         ]
     )
     print_table(

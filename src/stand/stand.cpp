@@ -182,7 +182,7 @@ LitCanopy Stand::light(std::size_t number, const Plants& plants,
 
 void Stand::report_each(const Plants& plants, const Sampling& sampling,
                         const Device& device, const TakeReport& take,
-                        ReportOptions options) {
+                        const ReportOptions& options) {
     prepare(device);
     LightCue::Response response(cue_);
     std::size_t i = 0;

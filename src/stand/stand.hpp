@@ -148,7 +148,7 @@ class Stand {
     //! soil or grain are reported after all have been evaluated.
     void report_each(const Plants& plants, const Sampling& sampling,
                      const Device& device, const TakeReport& take,
-                     ReportOptions options);
+                     const ReportOptions& options);
     void report_each(const Plants& plants, const Sampling& sampling,
                      const Device& device, const TakeReport& take) {
         report_each(plants, sampling, device, take, {});

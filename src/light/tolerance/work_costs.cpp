@@ -3,6 +3,7 @@
 
 #include "beams/beam_costs.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/light/tolerance.hpp"
 #include "trial.hpp"
 #include "workload.hpp"
 

@@ -22,16 +22,17 @@ class Assimilation {
         : tallies_(tallies),
           lit_leaves_(lit),
           light_(lit.par.light),
-          places_(pieces, lit, tallies.size() == 1),
-          expectation_(places_, tallies),
-          mean_(places_.count()) {
+          pieces_(pieces),
+          places_(pieces, lit, tallies),
+          of_places_(places_.count()),
+          mean_(pieces.count) {
         FluxTally none{std::vector<double>(lit.leaves.size()),
                        std::vector<double>(lit.layers.count),
                        std::vector<double>(light_.series.steps.size()),
                        std::vector<double>(pieces.rows)};
         all_.assign(lit.air ? leaf_fluxes : 1, {tallies.size(), none});
         noise_.assign(all_.size(), Noise(tallies.size(), places_));
-        if (lit.air) water_.emplace(lit, places_, expectation_, all_);
+        if (lit.air) water_.emplace(lit, places_, all_);
     }
 
     CanopyFluxes result() {
@@ -40,14 +41,12 @@ class Assimilation {
             if (light_.beam_of[i] >= 0 || light_.sky_of[i] >= 0)
                 steps[light_.sky_of[i]][light_.beam_of[i]].push_back(i);
         for (const auto& [of_sky, beams] : steps) {
-            SkyLight sky(tallies_, of_sky, places_, expectation_);
-            for (Noise& each : noise_) each.sky = SkyWeights(places_.pieces());
+            SkyLight sky(tallies_, of_sky, places_);
+            for (Noise& each : noise_) each.sky = SkyWeights(places_);
             for (const auto& [beam, of_pair] : beams) add(beam, sky, of_pair);
-            for (Noise& each : noise_)
-                for (std::size_t r = 0; r < tallies_.size(); ++r)
-                    for (const auto& [v, x] : sky.light.parts[r])
-                        each.differences[r][places_.of[v]] +=
-                            x * (each.sky.light[v] + each.sky.square[v] * x);
+            sky.add_amounts(noise_.front().sky, mean_);
+            if (tallies_.size() == 1) continue;
+            for (Noise& each : noise_) sky.scatter(each.sky, each.differences);
         }
         if (water_) add_nights();
         for (std::size_t k = 0; k < all_.size(); ++k) add_up(k);
@@ -61,15 +60,15 @@ class Assimilation {
     //! order in the flux of leaves and to second order in their light.
     struct Noise {
         Noise(std::size_t randomisations, const LeafPlaces& places)
-            : sky(places.pieces()),
-              differences(randomisations, std::vector<double>(places.count())) {
-        }
+            : sky(places),
+              differences(randomisations,
+                          std::vector<double>(places.pieces())) {}
 
         Weights weights{};  //!< weights, summed over steps of one sun and sky
         SkyWeights sky;     //!< weights, summed over steps of one sky
         //! Sum of absolute amounts in steps of one sun and sky.
         double whole = 0;
-        //! Differences [randomisation][place], without the part common to all
+        //! Differences [randomisation][piece], without the part common to all
         //! randomisations.
         std::vector<std::vector<double>> differences;
     };
@@ -77,19 +76,25 @@ class Assimilation {
     //! Adds the steps that share a sun and a sky.
     void add(int beam, const SkyLight& sky,
              const std::vector<std::size_t>& steps) {
-        const PairLight pair(tallies_, lit_leaves_, places_, expectation_, beam,
-                             sky);
+        const PairLight pair(tallies_, lit_leaves_, places_, beam, sky);
         for (Noise& each : noise_) {
-            each.weights.places.assign(places_.count(), {});
-            each.weights.bins.assign(pair.bins().size(), {});
+            each.weights.places.assign(places_.count());
+            each.weights.bins.assign(pair.bins().size());
             each.whole = 0;
         }
         if (water_) water_->meet(beam, sky.source);
         StepLight light{pair};
         light.shaded.resize(places_.count());
         light.lit.resize(pair.bins().size());
+        light.gains.resize(pair.bins().size());
         light.beams.resize(pair.bins().size());
+        if (water_) {
+            of_step_.places.assign(places_.count());
+            of_step_.bins.assign(pair.bins().size());
+        }
         for (const std::size_t i : steps) add(i, beam, sky, light);
+        pair.add_amounts(noise_.front().weights, of_places_, mean_);
+        for (Noise& each : noise_) pair.add_sky(each.weights, each.sky);
         if (tallies_.size() == 1) return;
         for (std::size_t k = 0; k < all_.size(); ++k) {
             Noise& noise = noise_[k];
@@ -119,44 +124,27 @@ class Assimilation {
         };
         light.scales = {scale(beam, step.par.beam),
                         scale(sky.source, step.par.diffuse)};
-        const auto [of_sun, of_sky] = light.scales;
-        const std::vector<PairLight::Bin>& bins = light.pair.bins();
-        for (std::size_t p = 0; p < places_.count(); ++p)
-            light.shaded.light[p] =
-                of_sun * light.pair.expected()[p] + of_sky * sky.expected[p];
-        for (std::size_t b = 0; b < bins.size(); ++b) {
-            light.beams[b] = places_.absorptance[bins[b].place] *
-                             step.par.beam * lit_leaves_.photons *
-                             bins[b].cosine;
-            light.lit.light[b] =
-                light.shaded.light[bins[b].place] + light.beams[b];
-        }
+        const PairLight::Bins& bins = light.pair.bins();
+        add_light(light.scales, light.pair.expected(), sky.expected,
+                  light.shaded.light);
+        add_beams(step.par.beam, bins.photons, bins.place, light.shaded,
+                  light.beams, light.lit.light);
         respond(step, light);
+        find_gains(light.shaded, light.lit, bins.place, light.beams,
+                   light.gains);
         const double amount =
             amount_of(LeafFlux::uptake, step) / light_.series.days;
-        double whole = 0;
         Weights& weights = noise_.front().weights;
-        of_step_.places.assign(places_.count(), {});
-        of_step_.bins.assign(bins.size(), {});
-        light.of_places.assign(places_.count(), 0);
-        const auto add = [&](const Expansion& at, double times,
-                             const Moments& of, std::size_t place,
-                             Moments& weight, Moments& all) {
-            weight = light.scales.weigh(at, times);
-            const double sum = weight.dot(of);
-            mean_[place] += sum;
-            light.of_places[place] += sum;
-            whole += sum;
-            all.add(weight, 1);
-        };
-        for (std::size_t p = 0; p < places_.count(); ++p)
-            add(light.shaded.at(p), amount, light.pair.moments()[p], p,
-                of_step_.places[p], weights.places[p]);
+        weigh(light.scales, light.shaded, amount, light.pair.moments(),
+              weights.places, water_ ? &of_step_.places : nullptr,
+              light.of_places);
+        weigh(light.scales, light.gains, amount * light.scales.of_sun,
+              bins.moments, weights.bins, water_ ? &of_step_.bins : nullptr,
+              of_bins_);
         for (std::size_t b = 0; b < bins.size(); ++b)
-            add(gain(light.shaded.at(bins[b].place), light.lit.at(b),
-                     light.beams[b]),
-                amount * of_sun, bins[b].moments, bins[b].place,
-                of_step_.bins[b], weights.bins[b]);
+            light.of_places[bins.place[b]] += of_bins_[b];
+        double whole = 0;
+        for (const double sum : light.of_places) whole += sum;
         noise_.front().whole += std::abs(whole);
         if (water_) {
             water_->add(i, light);
@@ -195,7 +183,7 @@ class Assimilation {
     }
 
     void respond(const TimeStep& step, StepLight& light) {
-        const std::vector<PairLight::Bin>& bins = light.pair.bins();
+        const std::vector<std::uint32_t>& bins = light.pair.bins().place;
         light.responses.clear();
         for (const LeafGroup& leaf : lit_leaves_.leaves)
             light.responses.push_back(
@@ -209,29 +197,32 @@ class Assimilation {
                 ++last;
             light.shaded.respond(light.responses[leaf], first, last);
             const std::size_t first_bin = b;
-            while (b < bins.size() && bins[b].place < last) ++b;
+            while (b < bins.size() && bins[b] < last) ++b;
             light.lit.respond(light.responses[leaf], first_bin, b);
         }
     }
 
-    //! Adds the pseudo-values of places to those of groups, layers and rows.
+    //! Adds the pseudo-values of pieces to those of groups, layers and rows.
     void add_up(std::size_t k) {
         const std::vector<std::vector<double>>& differences =
             noise_[k].differences;
-        for (std::size_t p = 0; p < places_.count(); ++p) {
-            double flux = k == 0 ? mean_[p] : 0;
-            if (water_) flux += water_->fluxes()[k].mean[p];
+        for (std::size_t v = 0; v < pieces_.count; ++v) {
+            const std::uint32_t p = places_.of[v];
+            double of_place = k == 0 ? of_places_[p] : 0;
+            if (water_) of_place += water_->fluxes()[k].mean[p];
+            const double flux =
+                (k == 0 ? mean_[v] : 0) + places_.share(v) * of_place;
             double mean = 0;
             for (const std::vector<double>& each : differences)
-                mean += each[p] / static_cast<double>(tallies_.size());
+                mean += each[v] / static_cast<double>(tallies_.size());
+            const std::size_t layer = lit_leaves_.layers.at(pieces_.height[v]);
             for (std::size_t r = 0; r < tallies_.size(); ++r) {
-                const double amount = flux + differences[r][p] - mean;
+                const double amount = flux + differences[r][v] - mean;
                 IDEOTYPE_ENSURE(std::isfinite(amount));
                 FluxTally& tally = all_[k][r];
-                tally.groups[places_.group[p]] += amount;
-                tally.layers[lit_leaves_.layers.at(places_.height[p])] +=
-                    amount;
-                if (!tally.rows.empty()) tally.rows[places_.row[p]] += amount;
+                tally.groups[pieces_.group[v]] += amount;
+                tally.layers[layer] += amount;
+                if (!tally.rows.empty()) tally.rows[pieces_.row[v]] += amount;
             }
         }
     }
@@ -239,13 +230,18 @@ class Assimilation {
     const std::vector<Tally>& tallies_;
     const LitLeaves& lit_leaves_;
     const SeriesIllumination& light_;
+    const Pieces& pieces_;
     LeafPlaces places_;
-    ExpectedLight expectation_;
     std::optional<WaterFluxes> water_{};
-    std::vector<double> mean_;    //!< gross assimilation by place
+    //! Gross assimilation in proportion to area, by place.
+    std::vector<double> of_places_;
+    std::vector<double> mean_;    //!< other gross assimilation, by piece
     std::vector<Noise> noise_{};  //!< noise by LeafFlux
-    Weights of_step_{};  //!< weights in the gross assimilation of a step
-    FluxTallies all_;    //!< pseudo-values by LeafFlux
+    //! Weights in the gross assimilation of a step, with water, and amounts of
+    //! bins.
+    Weights of_step_{};
+    std::vector<double> of_bins_{};
+    FluxTallies all_;  //!< pseudo-values by LeafFlux
 };
 
 }  // namespace

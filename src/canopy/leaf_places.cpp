@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "leaf_places.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,8 +10,10 @@
 
 namespace ideotype {
 
-LeafPlaces::LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each)
-    : of(pieces.count) {
+//! Combines pieces that are the same part of identical plants.
+//! @param is_each whether each piece is a separate place
+void LeafPlaces::match(const Pieces& pieces, const LitLeaves& lit,
+                       bool is_each) {
     IDEOTYPE_EXPECT(pieces.like.size() == pieces.count &&
                     pieces.area.size() == pieces.count);
     IDEOTYPE_EXPECT(lit.groups.size() >= pieces.count);
@@ -51,6 +54,7 @@ DiffuseLight::DiffuseLight(const std::vector<Tally>& tallies, int source,
         }
         parts[r].reserve(met.size());
         for (const std::uint32_t v : met) {
+            if (sum[v] == 0) lit.push_back(v);
             sum[v] += light[v];
             parts[r].push_back({v, std::exchange(light[v], 0.)});
         }
@@ -59,9 +63,9 @@ DiffuseLight::DiffuseLight(const std::vector<Tally>& tallies, int source,
 
 namespace {
 
-//! Pools each place with a number of neighbours on its leaf.
-std::vector<std::uint32_t> joined(const LeafPlaces& places,
-                                  std::uint32_t size) {
+//! Returns the first place of the neighbours with which each place is joined.
+std::vector<std::uint32_t> first_of_joined(const LeafPlaces& places,
+                                           std::uint32_t size) {
     std::vector<std::uint32_t> first(places.count());
     std::uint32_t start = 0;
     for (std::uint32_t p = 0; p < places.count(); ++p) {
@@ -85,7 +89,7 @@ std::vector<double> all_diffuse(const LeafPlaces& places,
     return light;
 }
 
-//! Returns the relative variance of mean diffuse light over pooled places,
+//! Returns the relative variance of the mean diffuse light of joined places,
 //! weighted by leaf area.
 double relative_variance(const LeafPlaces& places,
                          const std::vector<std::uint32_t>& first,
@@ -109,40 +113,68 @@ double relative_variance(const LeafPlaces& places,
     return all > 0 ? sum / all : 0;
 }
 
-std::vector<std::uint32_t> join(const LeafPlaces& places,
-                                const std::vector<Tally>& tallies) {
+//! Returns the first place of those to be joined, so that their mean light is
+//! known well.
+std::vector<std::uint32_t> known_well(const LeafPlaces& places,
+                                      const std::vector<Tally>& tallies) {
     constexpr double well_known = 0.1;
     constexpr std::uint32_t most = 64;
-    const std::size_t n = tallies.size();
-    if (n == 1) return joined(places, 1);
     const std::vector<double> light = all_diffuse(places, tallies);
     for (std::uint32_t size = 1;; size *= 2) {
-        std::vector<std::uint32_t> first = joined(places, size);
-        if (size == most ||
-            relative_variance(places, first, light, n) <= well_known)
+        std::vector<std::uint32_t> first = first_of_joined(places, size);
+        if (size == most || relative_variance(places, first, light,
+                                              tallies.size()) <= well_known)
             return first;
     }
 }
 
 }  // namespace
 
-ExpectedLight::ExpectedLight(const LeafPlaces& places,
-                             const std::vector<Tally>& tallies)
-    : places_(places), first_(join(places, tallies)), scale_(places.count()) {
-    for (std::size_t p = 0; p < places.count(); ++p)
-        scale_[first_[p]] +=
-            places.index[p] * static_cast<double>(tallies.size());
-    for (double& scale : scale_) scale = scale > 0 ? 1 / scale : 0;
+LeafPlaces::LeafPlaces(const Pieces& pieces, const LitLeaves& lit,
+                       const std::vector<Tally>& tallies)
+    : of(pieces.count), randomisations_(static_cast<double>(tallies.size())) {
+    match(pieces, lit, tallies.size() == 1);
+    if (tallies.size() > 1) join(known_well(*this, tallies));
 }
 
-std::vector<double> ExpectedLight::of(const DiffuseLight& light) const {
-    IDEOTYPE_EXPECT(light.sum.size() == places_.pieces());
-    std::vector<double> sum(places_.count()), expected;
-    for (std::size_t v = 0; v < places_.pieces(); ++v)
-        sum[first_[places_.of[v]]] += light.sum[v];
-    for (const std::uint32_t first : first_)
-        expected.push_back(scale_[first] * sum[first]);
-    return expected;
+void LeafPlaces::join(const std::vector<std::uint32_t>& first) {
+    std::vector<std::uint32_t> number(count());
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < first.size(); ++p) {
+        if (first[p] == p) {
+            number[p] = static_cast<std::uint32_t>(kept);
+            height[kept] = index[p] * height[p];
+            if (!width.empty()) width[kept] = index[p] * width[p];
+            group[kept] = group[p];
+            row[kept] = row[p];
+            absorptance[kept] = absorptance[p];
+            index[kept++] = index[p];
+            continue;
+        }
+        const std::uint32_t to = number[p] = number[first[p]];
+        index[to] += index[p];
+        height[to] += index[p] * height[p];
+        if (!width.empty()) width[to] += index[p] * width[p];
+    }
+    for (std::vector<double>* part : {&index, &height, &width, &absorptance})
+        part->resize(std::min(part->size(), kept));
+    group.resize(kept);
+    row.resize(kept);
+    for (std::size_t p = 0; p < kept; ++p) {
+        if (!(index[p] > 0)) continue;
+        height[p] /= index[p];
+        if (!width.empty()) width[p] /= index[p];
+    }
+    for (std::uint32_t& place : of) place = number[place];
+}
+
+std::vector<double> LeafPlaces::expected(const DiffuseLight& light) const {
+    IDEOTYPE_EXPECT(light.sum.size() == pieces());
+    std::vector<double> mean(count());
+    for (std::size_t v = 0; v < pieces(); ++v) mean[of[v]] += light.sum[v];
+    for (std::size_t p = 0; p < count(); ++p)
+        mean[p] = index[p] > 0 ? mean[p] / (index[p] * randomisations_) : 0;
+    return mean;
 }
 
 }  // namespace ideotype

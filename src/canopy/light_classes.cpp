@@ -50,8 +50,7 @@ class Classification {
         : tallies_(tallies),
           lit_leaves_(lit),
           light_(lit.par.light),
-          places_(pieces, lit, tallies.size() == 1),
-          expectation_(places_, tallies),
+          places_(pieces, lit, tallies),
           classes_(tallies.size() + 1, LightClasses(ppfd_classes)) {
         for (std::size_t s = 0; s < light_.light.sources.size(); ++s)
             diffuse_.push_back(diffuse_of(static_cast<int>(s)));
@@ -75,7 +74,7 @@ class Classification {
     //! randomisations, then without each one.
     std::vector<std::vector<double>> diffuse_of(int source) const {
         DiffuseLight all(tallies_, source, places_.pieces());
-        std::vector<std::vector<double>> result{expectation_.of(all)};
+        std::vector<std::vector<double>> result{places_.expected(all)};
         const auto n = static_cast<double>(tallies_.size());
         const double scale = n > 1 ? n / (n - 1) : 1;
         for (const auto& parts : all.parts) {
@@ -83,7 +82,7 @@ class Classification {
             if (n > 1)
                 for (const auto& [v, energy] : parts) without.sum[v] -= energy;
             for (double& sum : without.sum) sum *= scale;
-            result.push_back(expectation_.of(without));
+            result.push_back(places_.expected(without));
         }
         return result;
     }
@@ -175,7 +174,6 @@ class Classification {
     const LitLeaves& lit_leaves_;
     const SeriesIllumination& light_;
     LeafPlaces places_;
-    ExpectedLight expectation_;
     //! Diffuse light [source][all, then without each][place].
     std::vector<std::vector<std::vector<double>>> diffuse_;
     //! Areas from all randomisations, then without each.

@@ -45,6 +45,17 @@ namespace ideotype {
 //
 //     S - s : p <b x> / (B / n) - s. (6)
 //
+// Most pieces have no light from a sun (X = 0). Multiplied by the area 1 / p
+// and summed over the pieces of a place, d and e vanish, since s and k are
+// means. Of (4) and (5) there remain
+//
+//     sum p <x x> - s^2 L,    sum p <x y> - s k L,                    (10)
+//
+// with the leaf area index L of the place, and sums over lit pieces only. Sums
+// of a single piece contain in addition the terms of (3) to (5) that are linear
+// in X or Y. Those in Y alone are equal for all suns but for their weights, so
+// SkyLight adds them once.
+//
 // The scatter of a sum of such terms is computed from jackknife pseudo-values,
 // n T - (n - 1) T_(r), where T_(r) omits randomisation r. For a mean, the part
 // that differs between randomisations is x_r; for (2) it is
@@ -61,68 +72,118 @@ namespace ideotype {
 // doi:10.1214/aos/1176345462). The second-order part of a pseudo-value is
 // therefore multiplied by sqrt(1/2). (9)
 
+namespace {
+
+//! Returns an unbiased product of the means of x and y in n randomisations,
+//! from the sums of x, y and x y: equation (2). With a single randomisation,
+//! returns the product of the sums.
+double product(double x, double y, double sum, double n) {
+    return n > 1 ? (x * y - sum) / (n * (n - 1)) : x * y;
+}
+
+//! The factor of products in (9).
+constexpr double of_products = std::numbers::sqrt2 / 2;
+
+}  // namespace
+
 SkyLight::SkyLight(const std::vector<Tally>& tallies, int number,
-                   const LeafPlaces& places, const ExpectedLight& expectation)
+                   const LeafPlaces& places)
     : source(number),
       light(tallies, number, places.pieces()),
-      expected(expectation.of(light)),
-      by_piece(tallies.size() * places.pieces()),
-      by_place(tallies.size() * places.count()),
-      squares(places.pieces()) {
+      expected(places.expected(light)),
+      squares(places.pieces()),
+      moments(places.count()),
+      places_(places),
+      n_(static_cast<double>(tallies.size())),
+      by_piece_(tallies.size() * places.pieces()),
+      by_place_(tallies.size() * places.count()) {
     for (std::size_t r = 0; r < tallies.size(); ++r)
         for (const auto& [v, energy] : light.parts[r]) {
-            by_piece[r * places.pieces() + v] = energy;
-            by_place[r * places.count() + places.of[v]] += energy;
+            by_piece_[r * places.pieces() + v] = energy;
+            by_place_[r * places.count() + places.of[v]] += energy;
             squares[v] += energy * energy;
         }
+    // Equation (10) for the sky.
+    for (std::size_t p = 0; p < places.count(); ++p)
+        moments[p] = -expected[p] * expected[p] * places.index[p];
+    for (const std::uint32_t v : light.lit)
+        moments[places.of[v]] +=
+            places.per_index[v] *
+            product(light.sum[v], light.sum[v], squares[v], n_);
+}
+
+void SkyLight::add_amounts(const SkyWeights& weights,
+                           std::vector<double>& of_pieces) const {
+    // The terms in Y of equations (3) to (5).
+    for (const std::uint32_t v : light.lit) {
+        const std::uint32_t p = places_.of[v];
+        const double y = light.sum[v];
+        of_pieces[v] +=
+            y / n_ *
+                (weights.sky[p] - 2 * expected[p] * weights.sky2[p] -
+                 weights.of_sun[p]) +
+            places_.per_index[v] * product(y, y, squares[v], n_) *
+                weights.sky2[p];
+    }
+}
+
+void SkyLight::scatter(const SkyWeights& weights,
+                       std::vector<std::vector<double>>& differences) const {
+    std::vector<double> linear(places_.pieces()), square(places_.pieces());
+    for (const std::uint32_t v : light.lit) {
+        const std::uint32_t p = places_.of[v];
+        // Equations (7) to (9).
+        const double times = of_products * places_.per_index[v] / (n_ - 2);
+        linear[v] = weights.light[v] + weights.sky[p] -
+                    of_products * (2 * expected[p] * weights.sky2[p] +
+                                   weights.of_sun[p]) +
+                    2 * times * weights.sky2[p] * light.sum[v];
+        square[v] = weights.square[v] - 2 * times * weights.sky2[p];
+    }
+    for (std::size_t r = 0; r < differences.size(); ++r)
+        for (const auto& [v, x] : light.parts[r])
+            differences[r][v] += x * (linear[v] + square[v] * x);
 }
 
 PairLight::PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
-                     const LeafPlaces& places, const ExpectedLight& expectation,
-                     int beam, const SkyLight& sky)
+                     const LeafPlaces& places, int beam, const SkyLight& sky)
     : tallies_(tallies),
       n_(static_cast<double>(tallies.size())),
       places_(places),
       beam_(beam),
       sky_(sky),
       sun_(tallies, beam, places.pieces()),
-      expected_(expectation.of(sun_)),
-      moments_(places.count()),
-      differ_(places.pieces()) {
+      expected_(places.expected(sun_)),
+      squares_(places.pieces()),
+      products_(places.pieces()) {
     compare();
     if (beam < 0) return;
     find_hits(lit, lit.par.light.light.sources[static_cast<std::size_t>(beam)]);
-    sort_hits();
+    sort_hits(lit.photons);
 }
 
-//! Compares the diffuse light of each piece with the expected diffuse light.
+//! Compares the diffuse light of places with the expected diffuse light.
 void PairLight::compare() {
-    std::vector<double> squares(places_.pieces()), products(places_.pieces());
     // Sums P of products in each randomisation, which are subtracted in (2).
     for (std::size_t r = 0; r < tallies_.size(); ++r)
         for (const auto& [v, energy] : sun_.parts[r]) {
-            squares[v] += energy * energy;
-            products[v] += energy * sky_.in(r, v);
+            squares_[v] += energy * energy;
+            products_[v] += energy * sky_.in(r, v);
         }
-    for (std::size_t p = 0; p < places_.count(); ++p)
-        moments_[p].one = places_.index[p];
-    for (std::size_t v = 0; v < places_.pieces(); ++v) {
-        const double per = places_.per_index[v];
-        if (!(per > 0)) continue;
-        const double sun = expected_[places_.of[v]];
-        const double sky = sky_.expected[places_.of[v]];
-        const double from_sun = sun_.sum[v], from_sky = sky_.light.sum[v];
-        Moments& d = differ_[v];
-        // Equations (3) to (5), each for the sun and for the sky.
-        d.sun = per * from_sun / n_ - sun;
-        d.sky = per * from_sky / n_ - sky;
-        d.sun2 = per * per * product(from_sun, from_sun, squares[v]) -
-                 sun * (2 * d.sun + sun);
-        d.sun_sky = per * per * product(from_sun, from_sky, products[v]) -
-                    sun * (d.sky + sky) - sky * d.sun;
-        d.sky2 = per * per * product(from_sky, from_sky, sky_.squares[v]) -
-                 sky * (2 * d.sky + sky);
-        moments_[places_.of[v]].add(d, 1 / per);
+    // Equation (10).
+    moments_.assign(places_.count());
+    moments_.one = places_.index;
+    moments_.sky2 = sky_.moments;
+    for (std::size_t p = 0; p < places_.count(); ++p) {
+        const double area = expected_[p] * places_.index[p];
+        moments_.sun2[p] = -expected_[p] * area;
+        moments_.sun_sky[p] = -sky_.expected[p] * area;
+    }
+    for (const std::uint32_t v : sun_.lit) {
+        const double per = places_.per_index[v], x = sun_.sum[v];
+        moments_.sun2[places_.of[v]] += per * product(x, x, squares_[v], n_);
+        moments_.sun_sky[places_.of[v]] +=
+            per * product(x, sky_.light.sum[v], products_[v], n_);
     }
 }
 
@@ -173,7 +234,8 @@ std::uint32_t step_of(double cosine) {
 }  // namespace
 
 //! Collects the hits of each place in bins of similar cosines.
-void PairLight::sort_hits() {
+//! @param photons see LitLeaves
+void PairLight::sort_hits(double photons) {
     // Sort hits by place (counting sort).
     std::vector<std::size_t> end(places_.count() + 1);
     for (const Hit& hit : hits_) ++end[places_.of[hit.piece] + 1];
@@ -181,92 +243,141 @@ void PairLight::sort_hits() {
     std::vector<Hit*> order(hits_.size());
     for (Hit& hit : hits_) order[end[places_.of[hit.piece]]++] = &hit;
     // Each place has few bins, so a linear search is sufficient.
-    std::vector<std::uint32_t> steps;  // bin numbers of the current place
+    struct Bin {
+        std::uint32_t step;
+        double cosine = 0;
+        Moments moments{};
+    };
+    std::vector<Bin> bins;  // bins of the current place
     std::size_t i = 0;
     for (std::uint32_t p = 0; p < places_.count(); ++p) {
-        const std::size_t first = bins_.size();
-        steps.clear();
+        bins.clear();
         for (; i < end[p]; ++i) {
-            const auto found = std::find(steps.begin(), steps.end(),
-                                         step_of(order[i]->cosine));
-            order[i]->bin = static_cast<std::uint32_t>(
-                first + static_cast<std::size_t>(found - steps.begin()));
-            if (found == steps.end()) {
-                steps.push_back(step_of(order[i]->cosine));
-                bins_.push_back({p});
-            }
-            add(*order[i], bins_[order[i]->bin]);
+            Hit& hit = *order[i];
+            auto found =
+                std::ranges::find(bins, step_of(hit.cosine), &Bin::step);
+            if (found == bins.end())
+                found = bins.insert(found, {step_of(hit.cosine)});
+            hit.bin = static_cast<std::uint32_t>(
+                bins_.size() + static_cast<std::size_t>(found - bins.begin()));
+            const double energy = hit.energy / n_;
+            found->moments.add(moments_of(hit), energy);
+            found->cosine += energy * hit.cosine;
+        }
+        for (const Bin& each : bins) {
+            IDEOTYPE_ENSURE(each.moments.one > 0);
+            bins_.place.push_back(p);
+            bins_.cosine.push_back(each.cosine / each.moments.one);
+            bins_.photons.push_back(places_.absorptance[p] * photons *
+                                    bins_.cosine.back());
+            bins_.moments.push_back(each.moments);
         }
     }
-    for (Bin& bin : bins_) {
-        IDEOTYPE_ENSURE(bin.moments.one > 0);
-        bin.cosine /= bin.moments.one;
+}
+
+//! Returns the mean moments of a hit's light, per energy.
+Moments PairLight::moments_of(const Hit& hit) const {
+    const std::size_t v = hit.piece;
+    const double per = places_.per_index[v], energy = hit.energy / n_;
+    const double sun = expected_[places_.of[v]],
+                 sky = sky_.expected[places_.of[v]];
+    const double x = sun_.sum[v], y = sky_.light.sum[v];
+    // Equations (3) to (5) of the piece.
+    const double d = per * x / n_ - sun, e = per * y / n_ - sky;
+    Moments moments{1};
+    moments.sun2 =
+        per * per * product(x, x, squares_[v], n_) - sun * (2 * d + sun);
+    moments.sun_sky =
+        per * per * product(x, y, products_[v], n_) - sun * (e + sky) - sky * d;
+    moments.sky2 =
+        per * per * product(y, y, sky_.squares[v], n_) - sky * (2 * e + sky);
+    // Equation (6): the pieces hit by a beam may differ in diffuse light.
+    moments.sun = per * product(hit.energy, x, hit.with_sun, n_) / energy - sun;
+    moments.sky = per * product(hit.energy, y, hit.with_sky, n_) / energy - sky;
+    return moments;
+}
+
+void PairLight::add_amounts(const Weights& weights,
+                            std::vector<double>& of_places,
+                            std::vector<double>& of_pieces) const {
+    // The terms of equations (3) to (5) without X and Y, then those in X.
+    for (std::size_t p = 0; p < places_.count(); ++p) {
+        const double s = expected_[p], k = sky_.expected[p];
+        of_places[p] +=
+            places_.index[p] *
+            weights.places.at(p).dot({1, -s, -k, s * s, s * k, k * k});
+    }
+    for (const std::uint32_t v : sun_.lit) {
+        const std::uint32_t p = places_.of[v];
+        const Moments w = weights.places.at(p);
+        const double per = places_.per_index[v], x = sun_.sum[v];
+        of_pieces[v] +=
+            x / n_ *
+                (w.sun - 2 * expected_[p] * w.sun2 -
+                 sky_.expected[p] * w.sun_sky) +
+            per * (product(x, x, squares_[v], n_) * w.sun2 +
+                   product(x, sky_.light.sum[v], products_[v], n_) * w.sun_sky);
+    }
+    for (const Hit& hit : hits_)
+        of_pieces[hit.piece] +=
+            hit.energy / n_ * weights.bins.at(hit.bin).dot(moments_of(hit));
+}
+
+void PairLight::add_sky(const Weights& weights, SkyWeights& of_sky) const {
+    for (std::size_t p = 0; p < places_.count(); ++p) {
+        of_sky.sky[p] += weights.places.sky[p];
+        of_sky.sky2[p] += weights.places.sky2[p];
+        of_sky.of_sun[p] += expected_[p] * weights.places.sun_sky[p];
     }
 }
 
-void PairLight::add(const Hit& hit, Bin& bin) const {
-    const std::size_t v = hit.piece;
-    const double per = places_.per_index[v];
-    const double energy = hit.energy / n_;
-    Moments moments = differ_[v];
-    moments.one = 1;
-    // Equation (6): the pieces hit by a beam may differ in diffuse light.
-    moments.sun =
-        per * product(hit.energy, sun_.sum[v], hit.with_sun) / energy -
-        expected_[bin.place];
-    moments.sky =
-        per * product(hit.energy, sky_.light.sum[v], hit.with_sky) / energy -
-        sky_.expected[bin.place];
-    bin.moments.add(moments, energy);
-    bin.cosine += energy * hit.cosine;
-}
-
-//! The factor of products in (9).
-constexpr double of_products = std::numbers::sqrt2 / 2;
-
-//! Returns the weights of light in a randomisation, and of squares and
-//! products, from the weights of differences in the mean of the moments. The
-//! light of single hits is not included.
-std::vector<Moments> PairLight::weights_of_pieces(const Weights& weights,
-                                                  SkyWeights& of_sky) const {
-    // For each piece: the weights of its moments, its place and its ray hits.
-    std::vector<Moments> of_pieces(places_.pieces());
-    for (std::size_t v = 0; v < places_.pieces(); ++v)
-        if (places_.per_index[v] > 0)
-            of_pieces[v].add(weights.places[places_.of[v]],
-                             1 / places_.per_index[v]);
+//! Returns the weights of the sun's light in a randomisation, and of products,
+//! from the weights of differences in the mean of the moments. The light of
+//! single hits is not included.
+PairLight::SunWeights PairLight::weights_of_pieces(const Weights& weights,
+                                                   SkyWeights& of_sky) const {
+    SunWeights all(places_.pieces());
+    // Parts of equations (7) and (8) due to ray hits.
     for (const Hit& hit : hits_) {
-        Moments of_bin = weights.bins[hit.bin];
+        const std::uint32_t v = hit.piece, p = places_.of[v];
+        const double per = places_.per_index[v], x = sun_.sum[v],
+                     y = sky_.light.sum[v], s = expected_[p],
+                     k = sky_.expected[p];
+        const double first = of_products * per * hit.energy / n_;
+        const double second = first * per / (n_ - 2);
+        const MomentArrays& bins = weights.bins;
+        const double sun2 = bins.sun2[hit.bin], sky2 = bins.sky2[hit.bin],
+                     sun_sky = bins.sun_sky[hit.bin];
         // The part B x_r / (n - 2) of (7); weight_of_beam() adds the other
         // parts.
-        of_bin.sun *= n_ / (n_ - 2);
-        of_bin.sky *= n_ / (n_ - 2);
-        of_pieces[hit.piece].add(of_bin, hit.energy / n_);
+        const double more = n_ / (n_ - 2);
+        all.light[v] +=
+            first * (more * bins.sun[hit.bin] - 2 * s * sun2 - k * sun_sky) +
+            second * (2 * sun2 * x + sun_sky * y);
+        all.square[v] += second * sun2;
+        all.product[v] += second * sun_sky;
+        of_sky.light[v] +=
+            first * (more * bins.sky[hit.bin] - 2 * k * sky2 - s * sun_sky) +
+            second * (2 * sky2 * y + sun_sky * x);
+        of_sky.square[v] -= 2 * second * sky2;
     }
-    for (std::size_t v = 0; v < places_.pieces(); ++v) {
-        const double per = places_.per_index[v];
-        const double sun = expected_[places_.of[v]];
-        const double sky = sky_.expected[places_.of[v]];
-        Moments& w = of_pieces[v];
-        // Equation (8): the weights of light.
-        w.sun = per * (w.sun - 2 * sun * w.sun2 - sky * w.sun_sky);
-        w.sky = per * (w.sky - 2 * sky * w.sky2 - sun * w.sun_sky);
-        // Equation (7): the parts that are linear in the light of the
-        // randomisation are added to the weights of light.
-        for (double* of_product : {&w.sun2, &w.sun_sky, &w.sky2})
-            *of_product *= per * per / (n_ - 2);
-        w.sun += 2 * w.sun2 * sun_.sum[v] + w.sun_sky * sky_.light.sum[v];
-        w.sky += 2 * w.sky2 * sky_.light.sum[v] + w.sun_sky * sun_.sum[v];
-        // Equation (9).
-        const Moments& first_order = weights.places[places_.of[v]];
-        w.sun = first_order.sun + of_products * (w.sun - first_order.sun);
-        w.sky = first_order.sky + of_products * (w.sky - first_order.sky);
-        for (double* of_product : {&w.sun2, &w.sun_sky, &w.sky2})
-            *of_product *= of_products;
-        of_sky.light[v] += w.sky;
-        of_sky.square[v] -= 2 * w.sky2;
+    for (const std::uint32_t v : sun_.lit) {
+        const std::uint32_t p = places_.of[v];
+        const Moments w = weights.places.at(p);
+        const double x = sun_.sum[v];
+        // The parts of (7) that are linear in the light of the randomisation
+        // are added to the weights of light (8).
+        const double second = of_products * places_.per_index[v] / (n_ - 2);
+        all.light[v] +=
+            w.sun -
+            of_products *
+                (2 * expected_[p] * w.sun2 + sky_.expected[p] * w.sun_sky) +
+            second * (2 * w.sun2 * x + w.sun_sky * sky_.light.sum[v]);
+        all.square[v] += second * w.sun2;
+        all.product[v] += second * w.sun_sky;
+        of_sky.light[v] += second * w.sun_sky * x;
     }
-    return of_pieces;
+    return all;
 }
 
 std::vector<double> PairLight::scatter(
@@ -276,18 +387,19 @@ std::vector<double> PairLight::scatter(
     IDEOTYPE_EXPECT(weights.places.size() == places_.count() &&
                     weights.bins.size() == bins_.size() &&
                     differences.size() == tallies_.size());
-    const std::vector<Moments> of_pieces = weights_of_pieces(weights, of_sky);
+    const SunWeights of_pieces = weights_of_pieces(weights, of_sky);
     std::vector<double> sums(tallies_.size()), sun(places_.pieces());
     for (std::size_t r = 0; r < tallies_.size(); ++r) {
         const auto add = [&](std::size_t v, double amount) {
-            differences[r][places_.of[v]] += amount;
+            differences[r][v] += amount;
             sums[r] += amount;
         };
         // Diffuse light of the sun: linear parts, and -2 x_r y_r from (7).
         for (const auto& [v, x] : sun_.parts[r]) {
             sun[v] = x;
-            const Moments& w = of_pieces[v];
-            add(v, x * (w.sun - 2 * (w.sun2 * x + w.sun_sky * sky_.in(r, v))));
+            add(v, x * (of_pieces.light[v] -
+                        2 * (of_pieces.square[v] * x +
+                             of_pieces.product[v] * sky_.in(r, v))));
         }
         // Beams: their energy, and (X b_r - 2 x_r b_r) from (7).
         if (beam_ >= 0)
@@ -301,8 +413,7 @@ std::vector<double> PairLight::scatter(
         // Diffuse light of the sky to first order; its products are added once
         // for all suns that share the sky.
         for (std::size_t p = 0; p < places_.count(); ++p)
-            sums[r] +=
-                weights.places[p].sky * sky_.by_place[r * places_.count() + p];
+            sums[r] += weights.places.sky[p] * sky_.of_place(r, p);
     }
     return sums;
 }
@@ -310,15 +421,14 @@ std::vector<double> PairLight::scatter(
 double PairLight::weight_of_beam(const Hit& hit, const Weights& weights,
                                  std::size_t r, double sun) const {
     const std::size_t v = hit.piece;
-    const Bin& bin = bins_[hit.bin];
-    const Moments& of_bin = weights.bins[hit.bin];
     const double per = places_.per_index[v] / (n_ - 2);
     const double sun_differs =
-        per * (sun_.sum[v] - 2 * sun) - expected_[bin.place];
+        per * (sun_.sum[v] - 2 * sun) - expected_[places_.of[v]];
     const double sky_differs = per * (sky_.light.sum[v] - 2 * sky_.in(r, v)) -
-                               sky_.expected[bin.place];
-    return of_bin.one +
-           of_products * (of_bin.sun * sun_differs + of_bin.sky * sky_differs);
+                               sky_.expected[places_.of[v]];
+    return weights.bins.one[hit.bin] +
+           of_products * (weights.bins.sun[hit.bin] * sun_differs +
+                          weights.bins.sky[hit.bin] * sky_differs);
 }
 
 }  // namespace ideotype

@@ -2,7 +2,9 @@
 #include "ideotype/physiology/leaf.hpp"
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/wide_vectors.hpp"
 #include "ideotype/physiology/temperature.hpp"
+#include "leaf_kernels.hpp"
 
 namespace ideotype {
 
@@ -109,16 +111,32 @@ void gross(const LeafResponse& response, std::span<const double> absorbed,
         response);
 }
 
+namespace {
+
+IDEOTYPE_FOR_WIDE_VECTORS void expand_response(const Hyperbola& response,
+                                               std::size_t count,
+                                               const double* light,
+                                               double* value, double* slope,
+                                               double* curvature) {
+    expand_all(response, count, light, value, slope, curvature);
+}
+
+IDEOTYPE_FOR_WIDE_VECTORS void expand_response(const Colimitation& response,
+                                               std::size_t count,
+                                               const double* light,
+                                               double* value, double* slope,
+                                               double* curvature) {
+    expand_all(response, count, light, value, slope, curvature);
+}
+
+}  // namespace
+
 void expand(const LeafResponse& response, std::span<const double> absorbed,
             double* assimilation, double* slope, double* curvature) {
     std::visit(
-        [=](auto each) {  // a copy, so that writing results cannot change it
-            for (std::size_t i = 0; i < absorbed.size(); ++i) {
-                const Expansion at = each.expand(absorbed[i]);
-                assimilation[i] = at.value;
-                slope[i] = at.slope;
-                curvature[i] = at.curvature;
-            }
+        [&](const auto& each) {
+            expand_response(each, absorbed.size(), absorbed.data(),
+                            assimilation, slope, curvature);
         },
         response);
 }

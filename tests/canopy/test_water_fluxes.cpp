@@ -194,9 +194,8 @@ TEST_F(WaterOfTwoLeaves, FewPathsOfNearInfraredAreEnough) {
 
 TEST_F(WaterOfTwoLeaves, EnergyOfTheCanopyCloses) {
     LeafAir air(water(1));
-    const LeafPlaces places(pieces, lit(), false);
-    const ExpectedLight expectation(places, tallies);
-    air.see(places, expectation);
+    const LeafPlaces places(pieces, lit(), tallies);
+    air.see(places);
     const SeriesIllumination& day = request.scene.light();
     for (std::size_t i = 0; i < day.series.steps.size(); ++i) {
         air.meet(day.beam_of[i], day.sky_of[i]);
@@ -226,9 +225,8 @@ TEST_F(WaterOfTwoLeaves, EnergyOfTheCanopyCloses) {
 
 TEST_F(WaterOfTwoLeaves, AirOfTheCanopyFollowsFromItsLeaves) {
     LeafAir air(water(1));
-    const LeafPlaces places(pieces, lit(), false);
-    const ExpectedLight expectation(places, tallies);
-    air.see(places, expectation);
+    const LeafPlaces places(pieces, lit(), tallies);
+    air.see(places);
     LeafLines lines(air);
     const SeriesIllumination& day = request.scene.light();
     double most = 0;

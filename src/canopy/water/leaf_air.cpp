@@ -22,9 +22,9 @@ double fourth_power(double x) {
 //! Returns the mean light of a source on each place, divided by the energy of
 //! the source [m2 m-2].
 std::vector<double> seen(const OtherLight& light, int source,
-                         const LeafPlaces& places,
-                         const ExpectedLight& expectation) {
-    return expectation.of(DiffuseLight(light.tallies, source, places.pieces()));
+                         const LeafPlaces& places) {
+    return places.expected(
+        DiffuseLight(light.tallies, source, places.pieces()));
 }
 
 }  // namespace
@@ -40,10 +40,9 @@ LeafAir::LeafAir(const WaterLeaves& leaves)
                 "no wind, pressure or longwave radiation; give each step all");
 }
 
-void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
+void LeafAir::see(const LeafPlaces& places) {
     IDEOTYPE_EXPECT(places.width.size() == places.count());
     places_ = &places;
-    expectation_ = &expectation;
     index_.assign(leaves_.leaves.size(), 0);
     sky_ = -1;
     for (std::size_t p = 0; p < places.count(); ++p)
@@ -65,8 +64,8 @@ void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
         double energy = 0;
         for (std::size_t s = 0; s < sources.size(); ++s) {
             if (sources[s].direction) continue;
-            const std::vector<double> light = seen(
-                *leaves_.longwave, static_cast<int>(s), places, expectation);
+            const std::vector<double> light =
+                seen(*leaves_.longwave, static_cast<int>(s), places);
             for (std::size_t p = 0; p < light.size(); ++p)
                 at_[p].view += light[p];
             energy += sources[s].energy;
@@ -129,8 +128,7 @@ void LeafAir::meet(int beam, int sky) {
     beam_ = beam;
     if (!leaves_.nir) return;
     const auto take = [&](int source, double Place::*into) {
-        const std::vector<double> light =
-            seen(*leaves_.nir, source, *places_, *expectation_);
+        const std::vector<double> light = seen(*leaves_.nir, source, *places_);
         for (std::size_t p = 0; p < light.size(); ++p) at_[p].*into = light[p];
         take_means({into});
     };

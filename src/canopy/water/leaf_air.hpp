@@ -60,7 +60,7 @@ class LeafAir {
     bool warms() const { return water_.has_leaf_temperature; }
 
     //! Sets the properties of places that are equal in all steps.
-    void see(const LeafPlaces& places, const ExpectedLight& expectation);
+    void see(const LeafPlaces& places);
 
     //! Returns the class of a group. A class contains leaves of one component
     //! with neighbouring ranks.
@@ -159,7 +159,6 @@ class LeafAir {
     const LeafWater& water_;
     const LightSeries& series_;
     const LeafPlaces* places_ = nullptr;
-    const ExpectedLight* expectation_ = nullptr;
     std::vector<Place> at_;  //!< places, followed by the mean places of classes
     std::vector<double> index_;         //!< leaf area index by group
     std::vector<std::uint32_t> class_;  //!< class by group

@@ -31,7 +31,7 @@ std::vector<std::vector<std::size_t>> alike(
 }  // namespace
 
 WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
-                         const ExpectedLight& expectation, FluxTallies empty)
+                         FluxTallies empty)
     : lit_(lit),
       light_(lit.par.light),
       places_(places),
@@ -41,7 +41,7 @@ WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
               Flux{std::vector<double>(places.count()),
                    std::vector<double>(lit.par.light.series.steps.size())}) {
     prepare_closed();
-    air_.see(places, expectation);
+    air_.see(places);
     lines_.emplace(air_);
     const Randomness& of = air_.leaves().randomness;
     for (std::uint32_t r = 0; r < drawn_.front().size(); ++r)
@@ -125,14 +125,14 @@ bool WaterFluxes::takes(LeafFlux flux, const StepLight* light) const {
 void WaterFluxes::find_areas(const StepLight* light) {
     areas_ = places_.index;
     if (!light) return;
-    const std::vector<PairLight::Bin>& bins = light->pair.bins();
+    const PairLight::Bins& bins = light->pair.bins();
     for (std::size_t b = 0; b < bins.size(); ++b) {
         // Sunlit leaf area is the light absorbed at hits divided by the beam.
         const double beam = light->beams[b];
         const double area =
-            beam > 0 ? light->scales.of_sun * bins[b].moments.one / beam : 0;
+            beam > 0 ? light->scales.of_sun * bins.moments.one[b] / beam : 0;
         areas_.push_back(area);
-        areas_[bins[b].place] -= area;
+        areas_[bins.place[b]] -= area;
     }
 }
 
@@ -142,8 +142,9 @@ LeafAir::Point WaterFluxes::point(const StepLight* light,
     if (area < places_.count())
         return {area, light->shaded.light[area], 0, light->shaded.at(area)};
     const std::size_t b = area - places_.count();
-    const PairLight::Bin& bin = light->pair.bins()[b];
-    return {bin.place, light->lit.light[b], bin.cosine, light->lit.at(b)};
+    const PairLight::Bins& bins = light->pair.bins();
+    return {bins.place[b], light->lit.light[b], bins.cosine[b],
+            light->lit.at(b)};
 }
 
 //! Computes the lines of a step and the sampling probabilities of points.
@@ -167,17 +168,18 @@ void WaterFluxes::find_lines(const StepLight* light) {
     absorbed_.assign(places_.count(), 0);
     gross_.assign(places_.count(), 0);
     if (light) {
-        const std::vector<PairLight::Bin>& bins = light->pair.bins();
+        const PairLight::Bins& bins = light->pair.bins();
         for (std::size_t b = 0; b < bins.size(); ++b)
-            add(bins[b].place, light->lit.light[b], bins[b].cosine);
+            add(bins.place[b], light->lit.light[b], bins.cosine[b]);
         for (std::size_t p = 0; p < places_.count(); ++p) {
             absorbed_[p] = places_.index[p] * light->shaded.light[p];
             gross_[p] = light->of_places[p] / amounts_.front();
             if (lit_.leaves[places_.group[p]].exchanges_water())
                 lines_->add_gross(places_.group[p], gross_[p]);
         }
-        for (const PairLight::Bin& bin : bins)
-            absorbed_[bin.place] += light->scales.of_sun * bin.moments.one;
+        for (std::size_t b = 0; b < bins.size(); ++b)
+            absorbed_[bins.place[b]] +=
+                light->scales.of_sun * bins.moments.one[b];
     }
     lines_->settle(light ? light->responses : std::vector<LeafResponse>{});
 }
@@ -386,20 +388,18 @@ void WaterFluxes::add_drawn_to(FluxTallies& all) const {
 //! light.
 double WaterFluxes::amount(const StepLight& light, std::size_t area,
                            const Expansion& at) const {
-    const std::vector<PairLight::Bin>& bins = light.pair.bins();
+    const PairLight::Bins& bins = light.pair.bins();
     const auto of_bin = [&](std::size_t b, const Expansion& shaded,
                             const Expansion& lit) {
         return light.scales
             .weigh(gain(shaded, lit, light.beams[b]), light.scales.of_sun)
-            .dot(bins[b].moments);
+            .dot(bins.moments.at(b));
     };
     if (area >= places_.count()) return of_bin(area - places_.count(), {}, at);
-    double sum = light.scales.weigh(at, 1).dot(light.pair.moments()[area]);
-    const auto first = std::partition_point(
-        bins.begin(), bins.end(),
-        [&](const PairLight::Bin& bin) { return bin.place < area; });
-    for (auto b = static_cast<std::size_t>(first - bins.begin());
-         b < bins.size() && bins[b].place == area; ++b)
+    double sum = light.scales.weigh(at, 1).dot(light.pair.moments().at(area));
+    const auto first = std::ranges::lower_bound(bins.place, area);
+    for (auto b = static_cast<std::size_t>(first - bins.place.begin());
+         b < bins.size() && bins.place[b] == area; ++b)
         sum += of_bin(b, at, {});
     return sum;
 }

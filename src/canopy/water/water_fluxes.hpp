@@ -30,7 +30,7 @@ class WaterFluxes {
 
     //! @param empty empty tallies of each LeafFlux and randomisation
     WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
-                const ExpectedLight& expectation, FluxTallies empty);
+                FluxTallies empty);
 
     //! Sets the indices of the sun and sky sources that the next steps share;
     //! -1: none.

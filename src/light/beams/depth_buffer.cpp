@@ -6,17 +6,7 @@
 #include <limits>
 
 #include "ideotype/core/contract.hpp"
-
-// The loops below are compiled for several instruction sets; the program
-// selects one at its start. Rounding is identical in all of them.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define IDEOTYPE_FOR_WIDE_VECTORS \
-    __attribute__((               \
-        target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define IDEOTYPE_FOR_WIDE_VECTORS
-#endif
+#include "ideotype/core/wide_vectors.hpp"
 
 namespace ideotype {
 

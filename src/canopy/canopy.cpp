@@ -144,11 +144,12 @@ CanopyReport evaluate(const CanopyRequest& request, const Device& device,
     return LitCanopy(request, device, clock, threads).report();
 }
 
-RayScene build_scene(const Device& device, const Field& field) {
+RayScene build_scene(const Device& device, const Field& field, BoxTree tree) {
     const Cell& cell = field.cell;
     return cell.boundary == Boundary::isolated
-               ? RayScene::isolated(device, field.mesh, cell.ground_area)
-               : RayScene(device, field.mesh, cell.period_x, cell.period_y);
+               ? RayScene::isolated(device, field.mesh, cell.ground_area, tree)
+               : RayScene(device, field.mesh, cell.period_x, cell.period_y,
+                          tree);
 }
 
 Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces) {

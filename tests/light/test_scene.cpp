@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/random.hpp"
 #include "ideotype/light/ray_scene.hpp"
+#include "random_leaves.hpp"
 #include "reference.hpp"
 
 namespace ideotype {
@@ -79,6 +81,37 @@ TEST(RayScene, BothHalvesOfAFaceWithThreeCornersHaveItsNormal) {
     ASSERT_EQ(normals.size(), 2u);
     EXPECT_NEAR(glm::length(normals[0]), 1, 1e-12);
     EXPECT_EQ(normals[0], normals[1]);
+}
+
+TEST(RayScene, TreesOfBothKindsLeadToTheSameFaces) {
+    const Mesh mesh = random_leaves(LeafAngles::spherical, 3, 1, 1);
+    const RayScene by_area(widest_device(), mesh, 1, 1);
+    RayScene other(widest_device(), mesh, 1, 1, BoxTree::by_order);
+    RandomStream stream(1, Purpose::stream, 0, 0);
+    constexpr int rays = 20000;
+    int different = 0, met = 0;
+    for (int i = 0; i < rays; ++i) {
+        if (i == rays / 2) other.set_tree(widest_device(), BoxTree::by_area);
+        const glm::dvec3 from{stream.uniform(), stream.uniform(), 1.2};
+        const glm::dvec3 to{stream.uniform(), stream.uniform(), 0};
+        const double distance = glm::length(to - from);
+        Hit a, b;
+        const bool is_a =
+            by_area.intersect(from, (to - from) / distance, distance, a);
+        const bool is_b =
+            other.intersect(from, (to - from) / distance, distance, b);
+        met += is_a;
+        // At edges, rounding may decide otherwise.
+        different += is_a != is_b || (is_a && a.triangle != b.triangle);
+    }
+    EXPECT_GT(met, rays / 2);
+    EXPECT_LE(different, 2);
+}
+
+TEST(RayScene, TreeIsBuiltInOrderForFewRays) {
+    EXPECT_EQ(quickest_tree(1000, 1000), BoxTree::by_order);
+    EXPECT_EQ(quickest_tree(0, 0), BoxTree::by_area);
+    EXPECT_EQ(quickest_tree(1e5, 1000), BoxTree::by_area);
 }
 
 TEST(RayScene, RefusesUndefinedVerticesAndEmptyPeriods) {

@@ -215,7 +215,8 @@ class LitCanopy {
 };
 
 //! Builds the surfaces of a field, with the field's boundary.
-RayScene build_scene(const Device& device, const Field& field);
+RayScene build_scene(const Device& device, const Field& field,
+                     BoxTree tree = BoxTree::by_area);
 
 //! Returns an accuracy that determines the light on most faces to about 5 % or
 //! better. Tracing its paths takes about ten seconds at most.

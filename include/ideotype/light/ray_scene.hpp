@@ -82,6 +82,16 @@ struct Surfaces {
 std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
                             const glm::dvec3& direction);
 
+//! How the tree of boxes is built in which rays search for faces: in the order
+//! of Morton codes of the faces, in a sixth of the time, or by the areas of
+//! boxes, so that a ray takes three quarters of the time.
+enum class BoxTree { by_order, by_area };
+
+//! Returns the tree with which a scene is built and traced in the shortest
+//! time.
+//! @param rays expected number of rays
+BoxTree quickest_tree(double rays, std::size_t faces);
+
 //! The surfaces of a canopy, ready for ray tracing.
 //!
 //! A periodic scene contains one cell of an infinite stand. The cell spans [0,
@@ -107,14 +117,19 @@ class RayScene {
     //! @throws Error if a vertex is not finite or too far away, a period is not
     //! positive, there are too many faces, or memory runs out.
     RayScene(const Device& device, const Mesh& mesh, double period_x,
-             double period_y);
+             double period_y, BoxTree tree = BoxTree::by_area);
 
     //! Builds the scene of an isolated plot.
     //! @param ground_area area of ground that all figures refer to [m2]
     //! @throws Error as for a periodic scene, for the ground area instead of a
     //! period.
     static RayScene isolated(const Device& device, const Mesh& mesh,
-                             double ground_area);
+                             double ground_area,
+                             BoxTree tree = BoxTree::by_area);
+
+    //! Builds the tree of boxes anew if it is another one. Rays meet the same
+    //! faces; only where faces coincide may they meet another one.
+    void set_tree(const Device& device, BoxTree tree);
 
     RayScene(RayScene&&) = default;
     RayScene& operator=(RayScene&&) = default;
@@ -199,13 +214,14 @@ class RayScene {
     void add_image(Part& part, const glm::dvec3& shift) const;
     void add_images(const std::array<std::uint32_t, 4>& face,
                     std::uint32_t group, std::uint32_t pose);
-    void commit(const Device& device);
-    static void commit(const Device& device, Part& part);
-    static void attach_faces(RTCDeviceTy* embree, Part& part);
+    void commit(const Device& device, BoxTree tree);
+    static void commit(const Device& device, BoxTree tree, Part& part);
+    static void attach_faces(RTCDeviceTy* embree, BoxTree tree, Part& part);
     //! Returns whether a ray meets a face of a moving part before the end of
     //! the ray.
     [[gnu::cold]] bool meets(const Part& part, RTCRayHit& ray) const;
 
+    BoxTree tree_ = BoxTree::by_area;
     Boundary boundary_ = Boundary::periodic;
     Box box_{};
     //! The position of an isolated plot's corner in the axes of the mesh.

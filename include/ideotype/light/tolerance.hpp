@@ -22,6 +22,23 @@ inline constexpr int fewest_paths = 32;
 //! assimilation uses would scatter more than the light itself.
 inline constexpr double hits_of_piece = 1.5;
 
+//! The work that a tolerance requires, before it is done.
+struct Demand {
+    Workload work{};  //!< without first hits: as many as the accuracy specifies
+    //! Expected number of rays, over all bands and randomisations.
+    double rays = 0;
+    //! Whether the path limit was reached before the tolerance, by band.
+    std::vector<bool> is_capped{};
+};
+
+//! Returns the work that simulate_to_tolerance() does.
+Demand find_demand(const Subject& subject, const Accuracy& accuracy,
+                   const Randomness& randomness);
+
+//! Does this work.
+Simulation simulate(const Subject& subject, Demand demand,
+                    const Accuracy& accuracy, const Randomness& randomness);
+
 //! Simulates with as few paths as the tolerance requires, at most the given
 //! number. The tolerance applies to the expected standard error; the standard
 //! error of the result may exceed it by its uncertainty.

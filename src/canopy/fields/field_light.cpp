@@ -259,9 +259,11 @@ Subject subject_of(const Evaluation& all, const Layers& layers,
 
 //! Simulates the first field with trials. They determine the work that the
 //! tolerance requires; other fields repeat this work without trials.
+//! @param surfaces get the tree of boxes that suits the work
 //! @param simulation receives the light in this field
 FirstLook look_at(const Evaluation& all, const DrawnField& drawn,
-                  const RayScene& surfaces, Simulation& simulation) {
+                  const Device& device, RayScene& surfaces,
+                  Simulation& simulation) {
     FirstLook look{all.request.layers};
     if (!(look.layers.thickness > 0))
         look.layers.thickness =
@@ -272,9 +274,13 @@ FirstLook look_at(const Evaluation& all, const DrawnField& drawn,
             leaf_groups(all.scene, all.lines.groups,
                         all.scene.varies() ? all.lines.leaf_area_index
                                            : drawn.measured.leaf_area_index);
+    const Subject subject = subject_of(all, look.layers, drawn, surfaces);
+    const Accuracy& accuracy = all.plan.accuracy;
+    Demand demand = find_demand(subject, accuracy, drawn.randomness);
+    look.tree = quickest_tree(demand.rays, surfaces.faces());
+    surfaces.set_tree(device, look.tree);
     simulation =
-        simulate_to_tolerance(subject_of(all, look.layers, drawn, surfaces),
-                              all.plan.accuracy, drawn.randomness);
+        simulate(subject, std::move(demand), accuracy, drawn.randomness);
     look.trial = {{}, simulation.paths, simulation.is_capped, simulation.work};
     return look;
 }
@@ -293,10 +299,11 @@ Simulation repeat(const Evaluation& all, const FirstLook& look,
 }
 
 //! Generates a random field and computes its light and assimilation.
+//! @param tree tree of boxes with which the surfaces are built
 //! @param trace returns the simulation of the field and the results that the
 //! first field fixes for all fields
 FieldLight light_in(const Evaluation& all, int number, const Device& device,
-                    const Clock& clock, const auto& trace) {
+                    const Clock& clock, BoxTree tree, const auto& trace) {
     double last = clock ? clock() : 0;
     Timing seconds;
     const auto take = [&](double& part) {
@@ -305,7 +312,7 @@ FieldLight light_in(const Evaluation& all, int number, const Device& device,
     };
     DrawnField drawn = draw(all, number);
     take(seconds.geometry);
-    const RayScene surfaces = build_scene(device, drawn.field);
+    RayScene surfaces = build_scene(device, drawn.field, tree);
     take(seconds.scene);
     auto [simulation, look] = trace(drawn, surfaces);
     FieldLight found =
@@ -320,21 +327,21 @@ FieldLight light_in(const Evaluation& all, int number, const Device& device,
 FirstField first_field(const Evaluation& all, const Device& device,
                        const Clock& clock) {
     FirstField first;
-    first.light =
-        light_in(all, 0, device, clock,
-                 [&](const DrawnField& drawn, const RayScene& surfaces) {
-                     Simulation simulation;
-                     first.look = look_at(all, drawn, surfaces, simulation);
-                     return std::pair<Simulation, const FirstLook&>(
-                         std::move(simulation), first.look);
-                 });
+    first.light = light_in(all, 0, device, clock, BoxTree::by_order,
+                           [&](const DrawnField& drawn, RayScene& surfaces) {
+                               Simulation simulation;
+                               first.look = look_at(all, drawn, device,
+                                                    surfaces, simulation);
+                               return std::pair<Simulation, const FirstLook&>(
+                                   std::move(simulation), first.look);
+                           });
     return first;
 }
 
 FieldLight light_in_field(const Evaluation& all, const FirstLook& look,
                           int number, const Device& device,
                           const Clock& clock) {
-    return light_in(all, number, device, clock,
+    return light_in(all, number, device, clock, look.tree,
                     [&](const DrawnField& drawn, const RayScene& surfaces) {
                         return std::pair<Simulation, const FirstLook&>(
                             repeat(all, look, drawn, surfaces), look);

@@ -108,6 +108,7 @@ struct FirstLook {
     Layers layers{};                  //!< layers with their thickness
     std::vector<LeafGroup> leaves{};  //!< leaves of each group of the lines
     Simulation trial{};  //!< work that the tolerance requires, without tallies
+    BoxTree tree{};      //!< tree of boxes for this work
 };
 
 //! The first field of an evaluation.

@@ -30,24 +30,49 @@ bool is_at(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
 
 }  // namespace
 
-void RayScene::commit(const Device& device) {
-    commit(device, standing_);
-    for (Part& part : moving_) commit(device, part);
+BoxTree quickest_tree(double rays, std::size_t faces) {
+    // From so many rays per face on, faster rays outweigh slower building. At
+    // 0.5 to 0.9 rays per face an evaluation takes 0.8 of the time with a tree
+    // by order, at 3 to 5 rays 1.05 to 1.17 of the time.
+    constexpr double rays_of_face = 2;
+    return rays < rays_of_face * static_cast<double>(faces) ? BoxTree::by_order
+                                                            : BoxTree::by_area;
 }
 
-void RayScene::commit(const Device& device, Part& part) {
+namespace {
+
+RTCBuildQuality quality_of(BoxTree tree) {
+    return tree == BoxTree::by_order ? RTC_BUILD_QUALITY_LOW
+                                     : RTC_BUILD_QUALITY_MEDIUM;
+}
+
+}  // namespace
+
+void RayScene::commit(const Device& device, BoxTree tree) {
+    tree_ = tree;
+    commit(device, tree, standing_);
+    for (Part& part : moving_) commit(device, tree, part);
+}
+
+void RayScene::set_tree(const Device& device, BoxTree tree) {
+    if (tree != tree_) commit(device, tree);
+}
+
+void RayScene::commit(const Device& device, BoxTree tree, Part& part) {
     part.scene = {rtcNewScene(device.device_), rtcReleaseScene};
     // Robust mode prevents light from passing through common edges of faces.
     rtcSetSceneFlags(part.scene.get(), RTC_SCENE_FLAG_ROBUST);
-    if (!part.face.empty()) attach_faces(device.device_, part);
+    rtcSetSceneBuildQuality(part.scene.get(), quality_of(tree));
+    if (!part.face.empty()) attach_faces(device.device_, tree, part);
     rtcCommitScene(part.scene.get());
     require_no_error(device.device_, fmt::format("build a scene of {} faces",
                                                  part.face.size()));
 }
 
-void RayScene::attach_faces(RTCDeviceTy* embree, Part& part) {
+void RayScene::attach_faces(RTCDeviceTy* embree, BoxTree tree, Part& part) {
     const auto& corners = part.corners;
     RTCGeometry geometry = rtcNewGeometry(embree, RTC_GEOMETRY_TYPE_QUAD);
+    rtcSetGeometryBuildQuality(geometry, quality_of(tree));
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                RTC_FORMAT_FLOAT3, corners.data(), 0,
                                sizeof corners[0], corners.size());

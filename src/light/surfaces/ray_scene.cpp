@@ -93,7 +93,7 @@ std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
 }
 
 RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
-                   double period_y)
+                   double period_y, BoxTree tree)
     : ground_area_(period_x * period_y),
       period_x_(period_x),
       period_y_(period_y) {
@@ -126,11 +126,11 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
     top_ += 1e-3;
     clearance_ = 4 * std::numeric_limits<float>::epsilon() *
                  std::max({period_x, period_y, top_});
-    commit(device);
+    commit(device, tree);
 }
 
 RayScene RayScene::isolated(const Device& device, const Mesh& mesh,
-                            double ground_area) {
+                            double ground_area, BoxTree tree) {
     if (!(ground_area > 0) || !std::isfinite(ground_area))
         throw Error(fmt::format("the ground area is {} m2; give one above 0",
                                 ground_area));
@@ -144,7 +144,7 @@ RayScene RayScene::isolated(const Device& device, const Mesh& mesh,
     scene.clearance_ =
         4 * std::numeric_limits<float>::epsilon() *
         std::max({scene.box_.upper.x, scene.box_.upper.y, scene.top_});
-    scene.commit(device);
+    scene.commit(device, tree);
     return scene;
 }
 

@@ -41,6 +41,10 @@ constexpr std::size_t trial_suns = 4;
 //! efficiently. See tests/benchmark/README.md.
 constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
 
+double all_paths(const Accuracy& accuracy) {
+    return static_cast<double>(accuracy.all_paths());
+}
+
 //! Computes the workload that a tolerance requires in one band.
 //!
 //! With amounts a of work for the origins o of variance, see LightOrigin, the
@@ -107,6 +111,16 @@ class Search {
                 work_of(is_beyond(amounts) ? capped(amounts) : amounts, light_);
             if (are_drawn_) leave_suns_out(work, light_, trial_suns);
         }
+    }
+
+    //! Returns the expected number of rays of a workload.
+    double rays(const Workload& work) const {
+        if (work.path_energy.empty()) return all_paths(accuracy_);
+        const Amounts amounts = amounts_of(work, light_);
+        return accuracy_.randomisations *
+               ((are_drawn_ ? 0 : amounts[LightOrigin::beams]) +
+                amounts[LightOrigin::skies] +
+                found_.rays_per_unit * amounts[LightOrigin::scattered]);
     }
 
     //! Returns whether the tolerance needs more first hits than allowed.
@@ -215,34 +229,24 @@ class Demands {
   public:
     Demands(const Subject& subject, const Accuracy& accuracy,
             const Randomness& randomness)
-        : subject_(subject), accuracy_(accuracy) {
+        : subject_(subject) {
         for (std::size_t b = 0; b < subject.bands.size(); ++b) {
             if (!is_bounded(b)) continue;
             const Subject one{subject.scene, subject.groups,
                               subject.bands.subspan(b, 1), subject.layers};
             Search search(one, b == 0 && subject.pieces > 0, accuracy,
                           randomness);
-            add(b, search.enough());
-            is_capped_.resize(b + 1);
-            is_capped_[b] = search.is_capped();
+            Workload enough = search.enough();
+            demand_.rays += search.rays(enough);
+            add(b, std::move(enough));
+            demand_.is_capped.resize(b + 1);
+            demand_.is_capped[b] = search.is_capped();
         }
         for (std::size_t b = 0; b < subject.bands.size(); ++b)
             if (!is_bounded(b)) follow_as_often(b);
     }
 
-    Workload work() const { return work_; }
-
-    //! Returns whether the path limit leaves the error of any band above the
-    //! tolerance.
-    bool are_unmet(const BandTallies& tallies) const {
-        for (std::size_t b = 0; b < is_capped_.size(); ++b) {
-            if (!is_capped_[b]) continue;
-            const Estimate leaves = absorbed_by_leaves(tallies[b]);
-            if (leaves.standard_error > accuracy_.tolerance * leaves.mean)
-                return true;
-        }
-        return false;
-    }
+    Demand demand() && { return std::move(demand_); }
 
   private:
     //! Returns whether a band is bounded; if no band is, the first one counts
@@ -256,16 +260,17 @@ class Demands {
     }
 
     void add(std::size_t b, Workload of_band) {
-        if (work_.first_hits.empty()) {
+        if (demand_.work.first_hits.empty()) {
             reference_ = b;
-            work_.first_hits = of_band.first_hits;
-            work_.path_energy.resize(subject_.bands.size());
+            demand_.work.first_hits = of_band.first_hits;
+            demand_.work.path_energy.resize(subject_.bands.size());
         }
-        for (std::size_t s = 0; s < work_.first_hits.size(); ++s)
-            work_.first_hits[s] =
-                std::max(work_.first_hits[s], of_band.first_hits[s]);
+        for (std::size_t s = 0; s < demand_.work.first_hits.size(); ++s)
+            demand_.work.first_hits[s] =
+                std::max(demand_.work.first_hits[s], of_band.first_hits[s]);
         if (!of_band.path_energy.empty())
-            work_.path_energy[b] = std::move(of_band.path_energy.front());
+            demand_.work.path_energy[b] =
+                std::move(of_band.path_energy.front());
     }
 
     void follow_as_often(std::size_t b) {
@@ -276,36 +281,52 @@ class Demands {
             other.light.light.energy() / reference.light.light.energy();
         if (scattered > 0)
             factor *= std::max(1., other.optics.most_scattered() / scattered);
-        work_.path_energy[b] = work_.path_energy[reference_];
-        for (double& energy : work_.path_energy[b]) energy *= factor;
+        demand_.work.path_energy[b] = demand_.work.path_energy[reference_];
+        for (double& energy : demand_.work.path_energy[b]) energy *= factor;
     }
 
     const Subject& subject_;
-    const Accuracy& accuracy_;
-    Workload work_;
+    Demand demand_;
     std::size_t reference_ = 0;  //!< index of the first bounded band
-    //! Whether the path limit was reached, by band.
-    std::vector<bool> is_capped_;
 };
 
 }  // namespace
 
-Simulation simulate_to_tolerance(const Subject& subject,
-                                 const Accuracy& accuracy,
-                                 const Randomness& randomness) {
+Demand find_demand(const Subject& subject, const Accuracy& accuracy,
+                   const Randomness& randomness) {
     if (!(accuracy.tolerance > 0) || subject.light().sources.empty())
-        return {
-            simulate(subject, accuracy, randomness), accuracy.paths, false, {}};
+        return {{}, all_paths(accuracy), {}};
     IDEOTYPE_EXPECT(accuracy.paths > 0 && accuracy.randomisations > 0);
-    const Demands demands(subject, accuracy, randomness);
+    return Demands(subject, accuracy, randomness).demand();
+}
+
+Simulation simulate(const Subject& subject, Demand demand,
+                    const Accuracy& accuracy, const Randomness& randomness) {
     Simulation found;
-    found.work = demands.work();
+    if (demand.work.first_hits.empty()) {
+        found.tallies = simulate(subject, accuracy, randomness);
+        found.paths = accuracy.paths;
+        return found;
+    }
+    found.work = std::move(demand.work);
     found.tallies =
         simulate(subject, found.work, accuracy.randomisations, randomness);
     for (const std::uint32_t hits : found.work.first_hits)
         found.paths += static_cast<int>(hits);
-    found.is_capped = demands.are_unmet(found.tallies);
+    for (std::size_t b = 0; b < demand.is_capped.size(); ++b) {
+        if (!demand.is_capped[b]) continue;
+        const Estimate leaves = absorbed_by_leaves(found.tallies[b]);
+        found.is_capped |=
+            leaves.standard_error > accuracy.tolerance * leaves.mean;
+    }
     return found;
+}
+
+Simulation simulate_to_tolerance(const Subject& subject,
+                                 const Accuracy& accuracy,
+                                 const Randomness& randomness) {
+    return simulate(subject, find_demand(subject, accuracy, randomness),
+                    accuracy, randomness);
 }
 
 }  // namespace ideotype

@@ -185,11 +185,17 @@ class Assimilation {
     void respond(const TimeStep& step, StepLight& light) {
         const std::vector<std::uint32_t>& bins = light.pair.bins().place;
         light.responses.clear();
-        for (const LeafGroup& leaf : lit_leaves_.leaves)
-            light.responses.push_back(
-                leaf.photosynthesis
-                    ? response(leaf.rates, air_of(step, *leaf.photosynthesis))
-                    : LeafResponse{});
+        const Photosynthesis* last_model = nullptr;
+        std::optional<LeavesInAir> air;
+        for (const LeafGroup& leaf : lit_leaves_.leaves) {
+            if (leaf.photosynthesis && leaf.photosynthesis != last_model) {
+                last_model = leaf.photosynthesis;
+                air.emplace(air_of(step, *last_model));
+            }
+            light.responses.push_back(leaf.photosynthesis
+                                          ? air->response(leaf.rates)
+                                          : LeafResponse{});
+        }
         for (std::size_t first = 0, last = 0, b = 0; first < places_.count();
              first = last) {
             const std::uint32_t leaf = places_.group[first];

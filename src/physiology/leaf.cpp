@@ -26,21 +26,9 @@ double respiration_of(const FarquharLeaf& leaf, double temperature) {
     return dark_respiration(leaf, temperature);
 }
 
-Hyperbola response_in(const HyperbolaLeaf& leaf, const Air& air) {
-    return hyperbola_at(leaf, air.temperature);
-}
-
-Colimitation response_in(const CollatzLeaf& leaf, const Air& air) {
-    return collatz_at(
-        leaf, air.temperature,
-        ci_of_deficit(vapour_deficit(air.temperature, air.humidity)));
-}
-
-Colimitation response_in(const FarquharLeaf& leaf, const Air& air) {
-    return farquhar_at(
-        leaf, air.temperature,
-        ci_of_optimal_stomata(vapour_deficit(air.temperature, air.humidity),
-                              leaf.g1));
+//! Returns the asymptote of a hyperbola relative to that at 30 deg C.
+double amax_at(double temperature) {
+    return c4_temperature_response(temperature) / c4_temperature_response(30);
 }
 
 HyperbolaLeaf scale_one(HyperbolaLeaf leaf, double factor) {
@@ -84,8 +72,7 @@ double maintenance_respiration(double maintenance, double temperature) {
 
 Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature) {
     Hyperbola response = leaf.response;
-    response.amax *=
-        c4_temperature_response(temperature) / c4_temperature_response(30);
+    response.amax *= amax_at(temperature);
     return response;
 }
 
@@ -95,10 +82,37 @@ double dark_respiration(const LeafRates& leaf, double temperature) {
         leaf);
 }
 
-LeafResponse response(const LeafRates& leaf, const Air& air) {
+double LeavesInAir::deficit() {
+    if (!deficit_) deficit_ = vapour_deficit(air_.temperature, air_.humidity);
+    return *deficit_;
+}
+
+Hyperbola LeavesInAir::response_of(const HyperbolaLeaf& leaf) {
+    if (!of_hyperbola_) of_hyperbola_ = amax_at(air_.temperature);
+    Hyperbola response = leaf.response;
+    response.amax *= *of_hyperbola_;
+    return response;
+}
+
+Colimitation LeavesInAir::response_of(const CollatzLeaf& leaf) {
+    if (!of_collatz_) of_collatz_.emplace(air_.temperature);
+    return CollatzAt(leaf, *of_collatz_)(ci_of_deficit(deficit()));
+}
+
+Colimitation LeavesInAir::response_of(const FarquharLeaf& leaf) {
+    if (!of_farquhar_) of_farquhar_.emplace(air_.temperature);
+    return FarquharAt(leaf,
+                      *of_farquhar_)(ci_of_optimal_stomata(deficit(), leaf.g1));
+}
+
+LeafResponse LeavesInAir::response(const LeafRates& leaf) {
     return std::visit(
-        [&](const auto& each) { return LeafResponse(response_in(each, air)); },
+        [&](const auto& each) { return LeafResponse(response_of(each)); },
         leaf);
+}
+
+LeafResponse response(const LeafRates& leaf, const Air& air) {
+    return LeavesInAir(air).response(leaf);
 }
 
 void gross(const LeafResponse& response, std::span<const double> absorbed,

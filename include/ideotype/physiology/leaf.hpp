@@ -48,8 +48,29 @@ double dark_respiration(const LeafRates& leaf, double temperature);
 //! Light response of a leaf in given air.
 using LeafResponse = std::variant<Hyperbola, Colimitation>;
 
-//! Returns the light response. Models that use CO2 derive the CO2 inside the
-//! leaf from the vapour pressure deficit.
+//! Returns the light responses of leaves in the same air. Factors that depend
+//! on the air alone are computed once. Models that use CO2 derive the CO2
+//! inside the leaf from the vapour pressure deficit.
+class LeavesInAir {
+  public:
+    explicit LeavesInAir(const Air& air) : air_(air) {}
+
+    LeafResponse response(const LeafRates& leaf);
+
+  private:
+    Hyperbola response_of(const HyperbolaLeaf& leaf);
+    Colimitation response_of(const CollatzLeaf& leaf);
+    Colimitation response_of(const FarquharLeaf& leaf);
+    double deficit();
+
+    Air air_;
+    std::optional<double> deficit_{};  //!< vapour pressure deficit [kPa]
+    std::optional<double> of_hyperbola_{};
+    std::optional<CollatzFactors> of_collatz_{};
+    std::optional<FarquharFactors> of_farquhar_{};
+};
+
+//! Returns the light response of a single leaf.
 LeafResponse response(const LeafRates& leaf, const Air& air);
 
 //! Computes gross assimilation [umol m-2 s-1] at each of several PPFDs,

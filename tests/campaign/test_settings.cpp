@@ -113,14 +113,16 @@ TEST(Settings, AccuracyKeysAreDeclared) {
     EXPECT_EQ(accuracy_keys({"light.tolerance=0.01", "field.rows=5"}),
               "day.step_minutes=30 field.rows=5 field.plants=4 "
               "plant.cells_along=12 plant.stalk_sides=8 "
-              "light.tolerance=0.01 ");
+              "light.fields=1 light.tolerance=0.01 ");
     // The number of plants of an isolated plot is not a setting of accuracy.
     EXPECT_EQ(accuracy_keys({"light.tolerance=0", "light.paths=512",
                              "field.boundary=isolated", "plant.organs=[]"}),
-              "day.step_minutes=30 plant.cells_along=12 light.paths=512 ");
+              "day.step_minutes=30 plant.cells_along=12 light.paths=512 "
+              "light.fields=1 ");
     EXPECT_EQ(accuracy_keys({"light.dates=5"}, "/bondville.toml"),
               "field.rows=4 field.plants=4 plant.cells_along=12 "
-              "plant.stalk_sides=8 light.tolerance=0.005 light.dates=5 ");
+              "plant.stalk_sides=8 light.fields=1 light.tolerance=0.005 "
+              "light.dates=5 ");
 }
 
 TEST(Settings, AreCheckedLikeTheFileAllInOnePass) {

@@ -127,7 +127,7 @@ class RayScene {
                              double ground_area,
                              BoxTree tree = BoxTree::by_area);
 
-    //! Builds the tree of boxes anew if it is another one. Rays meet the same
+    //! Replaces the tree of boxes if it is another one. Rays meet the same
     //! faces; only where faces coincide may they meet another one.
     void set_tree(const Device& device, BoxTree tree);
 

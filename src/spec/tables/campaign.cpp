@@ -143,7 +143,7 @@ constexpr Key component_keys[] = {
 constexpr Key light_keys[] = {
     key<&LightSpec::paths>("paths", within(16, 16'777'216), by("16384"), "light paths per randomisation; with a tolerance the largest number").trades<LightSpec, has_no_tolerance>({1024, 4096, 16384, 65536}),
     key<&LightSpec::randomisations>("randomisations", within(2, 1024), usual(), "independent repetitions; their spread gives the standard error"),
-    key<&LightSpec::fields>("fields", within(1, 256), usual(), "number of random fields among which the randomisations are divided; with several, standard errors include differences between fields").quiet(),
+    key<&LightSpec::fields>("fields", within(1, 256), usual(), "number of random fields among which the randomisations are divided; with several, standard errors include differences between fields").quiet().trades({1, 4, 8}),
     key<&LightSpec::tolerance>("tolerance", fraction(0, 0.1), by("0.005, or 0 if paths is given"), "expected relative standard error of the light absorbed by leaves in each evaluation, met with as few paths as possible; 0: none, all paths").trades<LightSpec, has_tolerance>({0.02, 0.01, 0.005, 0.0025}),
     key<&LightSpec::band>("band", texts("par", "nir"), by("\"par\""), "waveband of the tolerance; all bands share first hits, and scattered light of the others gets about as many paths"),
     key<&LightSpec::sky>("sky", any_value, usual(), "distribution of the radiance of diffuse light: uniform, or CIE overcast or clear sky"),

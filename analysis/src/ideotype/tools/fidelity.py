@@ -27,6 +27,7 @@ from ..common.output import (
 )
 from ..common.settings import number_within
 from ..errors import Error, InputError, printable_lines
+from ..history.estimate import NORMAL
 from ..stand.stand import Stand
 from .survey import (
     FEWEST,
@@ -109,11 +110,16 @@ def table(rows: Sequence[dict[str, Any]]) -> list[str]:
         ]
         lines.append(
             "".join(f"{figure!s:>14}" for figure in figures)
-            + f"{1e3 * row['seconds']:8.1f}{row['draws']:6}  "
+            + f"{1e3 * row['seconds']:8.1f}{_cost(row):>14}{row['draws']:6}  "
             + format_setting(tuple(row["settings"].items()))
             + (" *" if row.get("is_on_front") else "")
         )
     return lines
+
+
+def _cost(row: dict[str, Any]) -> str:
+    mean, error = row["cost"]
+    return f"{mean:.2f} ± {NORMAL * error:.2f}"
 
 
 def block(campaign: str, settings: dict[str, float]) -> str:
@@ -144,14 +150,20 @@ def text(results: dict[str, Any], campaign: str) -> str:
     lines = [
         f"{results['case']}: errors of one evaluation in % of "
         f"{results['objective']} (± half of a 95 % interval), its time in ms, "
-        "draws",
-        "".join(f"{name:>14}" for name in names) + f"{'ms':>8}{'draws':>6}",
+        "cost of a search relative to the campaign (ms times the square of "
+        "the error of the difference), draws",
+        "".join(f"{name:>14}" for name in names)
+        + f"{'ms':>8}{'cost':>14}{'draws':>6}",
     ]
     for rows in results["keys"]:
         lines += ["", *table(rows)]
     lines += ["", *(f"{k}: {v}" for k, v in results["left_out"].items()), ""]
     lines.append("keys together (*: all cheaper settings are less accurate)")
     lines += [*table(results["settings"]), ""]
+    best = format_setting(
+        tuple(results["best_for_search"]["settings"].items())
+    )
+    lines += [f"lowest cost of a search: {best}", ""]
     wanted = f"# Within {100 * results['tolerance']:g} %"
     if not results["is_met"]:
         wanted += " there is none; the most accurate"

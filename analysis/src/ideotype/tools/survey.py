@@ -242,6 +242,19 @@ def format_setting(setting: Setting) -> str:
     return " ".join(f"{k}={v:.15g}" for k, v in setting) or "the campaign"
 
 
+def _relative_cost(row: dict[str, Any], own: dict[str, Any]) -> Estimate:
+    """Returns the time of an evaluation times the square of the error of the
+    difference, relative to the campaign's: the work that a search needs to
+    distinguish two plants."""
+    errors = [x["difference"]["error"] for x in (row, own)]
+    ratio = errors[0].mean / errors[1].mean
+    size = row["seconds"] / own["seconds"] * ratio**2
+    if row["settings"] == own["settings"]:
+        return Estimate(size, 0)
+    parts = (2 * x.standard_error / x.mean for x in errors)
+    return Estimate(size, size * math.hypot(*parts))
+
+
 def summarize(survey: Survey, tolerance: float) -> dict[str, Any]:
     """Returns all measurements and the cheapest setting within the tolerance;
     an estimate is [mean, standard error]."""
@@ -258,15 +271,20 @@ def summarize(survey: Survey, tolerance: float) -> dict[str, Any]:
         if len(survey.draws[setting]) >= FEWEST
     ]
     rows.sort(key=lambda row: row["seconds"])
+    tables = [[survey.row(s, [steps]) for s in steps] for steps in ladders]
+    own = survey.row(OWN, [])
+    for row in (*rows, *(row for steps in tables for row in steps)):
+        row["cost"] = _relative_cost(row, own)
     front = pareto([(r["seconds"], r["value"]["error"].mean, r) for r in rows])
     met = [row for _, error, row in front if error <= tolerance]
     for row in rows:
         row["is_on_front"] = any(row is point[2] for point in front)
     return {
         "tolerance": tolerance,
-        "keys": [[survey.row(s, [steps]) for s in steps] for steps in ladders],
+        "keys": tables,
         "settings": rows,
         "chosen": met[0] if met else front[-1][2],
         "is_met": bool(met),
+        "best_for_search": min(rows, key=lambda row: row["cost"].mean),
         "left_out": survey.left_out | too_few,
     }

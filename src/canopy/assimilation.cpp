@@ -22,10 +22,9 @@ class Assimilation {
         : tallies_(tallies),
           lit_leaves_(lit),
           light_(lit.par.light),
-          pieces_(pieces),
           places_(pieces, lit, tallies),
           of_places_(places_.count()),
-          mean_(pieces.count) {
+          mean_(places_.part_index.size()) {
         FluxTally none{std::vector<double>(lit.leaves.size()),
                        std::vector<double>(lit.layers.count),
                        std::vector<double>(light_.series.steps.size()),
@@ -68,7 +67,7 @@ class Assimilation {
         SkyWeights sky;     //!< weights, summed over steps of one sky
         //! Sum of absolute amounts in steps of one sun and sky.
         double whole = 0;
-        //! Differences [randomisation][piece], without the part common to all
+        //! Differences [randomisation][part], without the part common to all
         //! randomisations.
         std::vector<std::vector<double>> differences;
     };
@@ -208,40 +207,45 @@ class Assimilation {
         }
     }
 
-    //! Adds the pseudo-values of pieces to those of groups, layers and rows.
+    //! Adds the pseudo-values of parts to those of groups, layers and rows. The
+    //! fluxes of a place that are not known by part are shared by area.
     void add_up(std::size_t k) {
-        const std::vector<std::vector<double>>& differences =
-            noise_[k].differences;
-        for (std::size_t v = 0; v < pieces_.count; ++v) {
-            const std::uint32_t p = places_.of[v];
+        for (std::size_t p = 0; p < places_.count(); ++p) {
             double of_place = k == 0 ? of_places_[p] : 0;
             if (water_) of_place += water_->fluxes()[k].mean[p];
-            const double flux =
-                (k == 0 ? mean_[v] : 0) + places_.share(v) * of_place;
-            double mean = 0;
-            for (const std::vector<double>& each : differences)
-                mean += each[v] / static_cast<double>(tallies_.size());
-            const std::size_t layer = lit_leaves_.layers.at(pieces_.height[v]);
-            for (std::size_t r = 0; r < tallies_.size(); ++r) {
-                const double amount = flux + differences[r][v] - mean;
-                IDEOTYPE_ENSURE(std::isfinite(amount));
-                FluxTally& tally = all_[k][r];
-                tally.groups[pieces_.group[v]] += amount;
-                tally.layers[layer] += amount;
-                if (!tally.rows.empty()) tally.rows[pieces_.row[v]] += amount;
-            }
+            places_.for_parts(
+                p, [&](std::size_t j, double height, double share) {
+                    add_part(k, p, j, lit_leaves_.layers.at(height),
+                             (k == 0 ? mean_[j] : 0) + share * of_place);
+                });
+        }
+    }
+
+    void add_part(std::size_t k, std::size_t place, std::size_t part,
+                  std::size_t layer, double flux) {
+        const std::vector<std::vector<double>>& differences =
+            noise_[k].differences;
+        double mean = 0;
+        for (const std::vector<double>& each : differences)
+            mean += each[part] / static_cast<double>(tallies_.size());
+        for (std::size_t r = 0; r < tallies_.size(); ++r) {
+            const double amount = flux + differences[r][part] - mean;
+            IDEOTYPE_ENSURE(std::isfinite(amount));
+            FluxTally& tally = all_[k][r];
+            tally.groups[places_.group[place]] += amount;
+            tally.layers[layer] += amount;
+            if (!tally.rows.empty()) tally.rows[places_.row[place]] += amount;
         }
     }
 
     const std::vector<Tally>& tallies_;
     const LitLeaves& lit_leaves_;
     const SeriesIllumination& light_;
-    const Pieces& pieces_;
     LeafPlaces places_;
     std::optional<WaterFluxes> water_{};
     //! Gross assimilation in proportion to area, by place.
     std::vector<double> of_places_;
-    std::vector<double> mean_;    //!< other gross assimilation, by piece
+    std::vector<double> mean_;    //!< other gross assimilation, by part
     std::vector<Noise> noise_{};  //!< noise by LeafFlux
     //! Weights in the gross assimilation of a step, with water, and amounts of
     //! bins.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "ideotype/core/contract.hpp"
@@ -10,31 +11,41 @@
 
 namespace ideotype {
 
-//! Combines pieces that are the same part of identical plants.
-//! @param is_each whether each piece is a separate place
+//! Combines pieces that are the same part of identical plants. Each part is a
+//! place until join().
+//! @param is_each whether each piece is a separate part
 void LeafPlaces::match(const Pieces& pieces, const LitLeaves& lit,
                        bool is_each) {
     IDEOTYPE_EXPECT(pieces.like.size() == pieces.count &&
                     pieces.area.size() == pieces.count);
     IDEOTYPE_EXPECT(lit.groups.size() >= pieces.count);
+    const bool has_width = !pieces.width.empty();
     for (std::uint32_t v = 0; v < pieces.count; ++v) {
+        IDEOTYPE_EXPECT(pieces.like[v] <= v);
         if (is_each || pieces.like[v] == v) {
             of[v] = static_cast<std::uint32_t>(index.size());
-            index.push_back(0);
             group.push_back(pieces.group[v]);
             row.push_back(pieces.row.empty() ? 0 : pieces.row[v]);
-            height.push_back(pieces.height[v]);
-            if (!pieces.width.empty()) width.push_back(pieces.width[v]);
+            for (auto* sum : {&index, &height}) sum->push_back(0);
+            if (has_width) width.push_back(0);
             absorptance.push_back(
                 lit.par.optics.of(lit.groups[v].material).most_absorbed());
         } else {
             of[v] = of[pieces.like[v]];
         }
-        IDEOTYPE_EXPECT(pieces.like[v] <= v);
         const double of_piece = pieces.area[v] / lit.scene.ground_area();
         index[of[v]] += of_piece;
+        height[of[v]] += of_piece * pieces.height[v];
+        if (has_width) width[of[v]] += of_piece * pieces.width[v];
         per_index.push_back(of_piece > 0 ? 1 / of_piece : 0);
     }
+    part = of;
+    part_index = index;
+    part_height = height;
+    for (std::size_t j = 0; j < part_index.size(); ++j)
+        if (part_index[j] > 0) part_height[j] /= part_index[j];
+    first_part.resize(count() + 1);
+    std::iota(first_part.begin(), first_part.end(), std::size_t{0});
 }
 
 DiffuseLight::DiffuseLight(const std::vector<Tally>& tallies, int source,
@@ -48,7 +59,7 @@ DiffuseLight::DiffuseLight(const std::vector<Tally>& tallies, int source,
         IDEOTYPE_EXPECT(s < tallies[r].leaf_light.size());
         met.clear();
         for (const auto& [v, energy] : tallies[r].leaf_light[s].diffuse) {
-            IDEOTYPE_EXPECT(v < pieces);
+            IDEOTYPE_EXPECT(v < pieces && energy > 0);
             if (light[v] == 0) met.push_back(v);
             light[v] += energy;
         }
@@ -135,37 +146,41 @@ LeafPlaces::LeafPlaces(const Pieces& pieces, const LitLeaves& lit,
     : of(pieces.count), randomisations_(static_cast<double>(tallies.size())) {
     match(pieces, lit, tallies.size() == 1);
     if (tallies.size() > 1) join(known_well(*this, tallies));
+    take_means();
 }
 
+//! Joins places with the first of their neighbours, in which sums are kept.
 void LeafPlaces::join(const std::vector<std::uint32_t>& first) {
     std::vector<std::uint32_t> number(count());
     std::size_t kept = 0;
     for (std::size_t p = 0; p < first.size(); ++p) {
-        if (first[p] == p) {
-            number[p] = static_cast<std::uint32_t>(kept);
-            height[kept] = index[p] * height[p];
-            if (!width.empty()) width[kept] = index[p] * width[p];
-            group[kept] = group[p];
-            row[kept] = row[p];
-            absorptance[kept] = absorptance[p];
-            index[kept++] = index[p];
+        if (first[p] != p) {
+            const std::uint32_t to = number[p] = number[first[p]];
+            for (auto* sum : {&index, &height, &width})
+                if (!sum->empty()) (*sum)[to] += (*sum)[p];
             continue;
         }
-        const std::uint32_t to = number[p] = number[first[p]];
-        index[to] += index[p];
-        height[to] += index[p] * height[p];
-        if (!width.empty()) width[to] += index[p] * width[p];
+        number[p] = static_cast<std::uint32_t>(kept);
+        for (auto* each : {&index, &height, &width, &absorptance})
+            if (!each->empty()) (*each)[kept] = (*each)[p];
+        group[kept] = group[p];
+        row[kept] = row[p];
+        first_part[kept++] = p;
     }
-    for (std::vector<double>* part : {&index, &height, &width, &absorptance})
-        part->resize(std::min(part->size(), kept));
+    first_part[kept] = first.size();
+    first_part.resize(kept + 1);
+    for (auto* each : {&index, &height, &width, &absorptance})
+        each->resize(std::min(each->size(), kept));
     group.resize(kept);
     row.resize(kept);
-    for (std::size_t p = 0; p < kept; ++p) {
-        if (!(index[p] > 0)) continue;
-        height[p] /= index[p];
-        if (!width.empty()) width[p] /= index[p];
-    }
     for (std::uint32_t& place : of) place = number[place];
+}
+
+//! Divides the sums of heights and widths by the area of places.
+void LeafPlaces::take_means() {
+    for (auto* sum : {&height, &width})
+        for (std::size_t p = 0; p < sum->size(); ++p)
+            if (index[p] > 0) (*sum)[p] /= index[p];
 }
 
 std::vector<double> LeafPlaces::expected(const DiffuseLight& light) const {

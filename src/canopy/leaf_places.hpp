@@ -23,15 +23,16 @@ struct DiffuseLight {
     std::vector<std::uint32_t> lit;  //!< pieces with light, in any order
 };
 
-//! The parts of leaves that absorb light, at two levels: pieces and places. The
-//! pieces of a place respond to light together. They are the same part of
-//! leaves of one rank, and neighbouring parts, as many as a precise mean of
-//! their diffuse light requires. The light of each piece is compared with this
-//! mean, the expected light of the place.
+//! The leaves that absorb light, at three levels. Pieces of identical plants
+//! that are the same part of a leaf are a part. Neighbouring parts of leaves of
+//! one rank are a place; a place has as many parts as a precise mean of their
+//! diffuse light requires. The leaves of a place respond to light together. The
+//! light of each piece is compared with the mean of its place, the expected
+//! light.
 struct LeafPlaces {
-    //! Assigns pieces to places.
+    //! Assigns pieces to parts and places.
     //! @param tallies with leaf light, from which the size of places follows;
-    //! with a single tally, each piece is a separate place
+    //! with a single tally, each piece is a separate part and place
     LeafPlaces(const Pieces& pieces, const LitLeaves& lit,
                const std::vector<Tally>& tallies);
 
@@ -41,15 +42,23 @@ struct LeafPlaces {
     //! Returns the expected light by place, per leaf area [J m-2].
     std::vector<double> expected(const DiffuseLight& light) const;
 
-    //! Returns the fraction of a place's area that a piece has.
-    double share(std::size_t piece) const {
-        return per_index[piece] > 0 ? 1 / (per_index[piece] * index[of[piece]])
-                                    : 0;
+    //! Calls a function with the number, the height and the fraction of the
+    //! area of each part of a place.
+    template <class Take>
+    void for_parts(std::size_t place, const Take& take) const {
+        for (std::size_t j = first_part[place]; j < first_part[place + 1]; ++j)
+            take(j, part_height[j],
+                 index[place] > 0 ? part_index[j] / index[place] : 0);
     }
 
-    std::vector<std::uint32_t> of;  //!< place of each piece
-    std::vector<double> per_index;  //!< 1 / leaf area index of each piece
-    std::vector<double> index;      //!< leaf area index, by place
+    std::vector<std::uint32_t> of;    //!< place of each piece
+    std::vector<std::uint32_t> part;  //!< part of each piece
+    std::vector<double> per_index;    //!< 1 / leaf area index of each piece
+    std::vector<double> part_index;   //!< leaf area index, by part
+    std::vector<double> part_height;  //!< mean height by part [m]
+    //! First part of each place, followed by the number of parts.
+    std::vector<std::size_t> first_part;
+    std::vector<double> index;  //!< leaf area index, by place
     //! Group of each place; places of a group are consecutive.
     std::vector<std::uint32_t> group;
     //! Row of each place; 0 if rows are not distinguished.
@@ -63,6 +72,7 @@ struct LeafPlaces {
   private:
     void match(const Pieces& pieces, const LitLeaves& lit, bool is_each);
     void join(const std::vector<std::uint32_t>& first);
+    void take_means();
 
     double randomisations_;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "moments.hpp"
 
-#include "ideotype/core/contract.hpp"
 #include "ideotype/core/wide_vectors.hpp"
 
 namespace ideotype {

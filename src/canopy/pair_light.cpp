@@ -45,17 +45,6 @@ namespace ideotype {
 //
 //     S - s : p <b x> / (B / n) - s. (6)
 //
-// Most pieces have no light from a sun (X = 0). Multiplied by the area 1 / p
-// and summed over the pieces of a place, d and e vanish, since s and k are
-// means. Of (4) and (5) there remain
-//
-//     sum p <x x> - s^2 L,    sum p <x y> - s k L,                    (10)
-//
-// with the leaf area index L of the place, and sums over lit pieces only. Sums
-// of a single piece contain in addition the terms of (3) to (5) that are linear
-// in X or Y. Those in Y alone are equal for all suns but for their weights, so
-// SkyLight adds them once.
-//
 // The scatter of a sum of such terms is computed from jackknife pseudo-values,
 // n T - (n - 1) T_(r), where T_(r) omits randomisation r. For a mean, the part
 // that differs between randomisations is x_r; for (2) it is
@@ -71,6 +60,18 @@ namespace ideotype {
 // products of noise twice too large (Efron and Stein 1981,
 // doi:10.1214/aos/1176345462). The second-order part of a pseudo-value is
 // therefore multiplied by sqrt(1/2). (9)
+//
+// Most pieces have no light from a sun (X = 0). Multiplied by the area 1 / p
+// and summed over the pieces of a place, d and e vanish, since s and k are
+// means. Of (4) and (5) there remain
+//
+//     sum p <x x> - s^2 L,    sum p <x y> - s k L,                    (10)
+//
+// with the leaf area index L of the place, and sums over lit pieces only. The
+// terms of (3) to (5) for a single piece are of three kinds: those without X
+// and Y are the same for all leaves of a place, those in Y alone are the same
+// for all suns but for their weights, so that SkyLight adds them once, and
+// those in X are needed for lit pieces only.
 
 namespace {
 
@@ -113,12 +114,12 @@ SkyLight::SkyLight(const std::vector<Tally>& tallies, int number,
 }
 
 void SkyLight::add_amounts(const SkyWeights& weights,
-                           std::vector<double>& of_pieces) const {
+                           std::vector<double>& of_parts) const {
     // The terms in Y of equations (3) to (5).
     for (const std::uint32_t v : light.lit) {
         const std::uint32_t p = places_.of[v];
         const double y = light.sum[v];
-        of_pieces[v] +=
+        of_parts[places_.part[v]] +=
             y / n_ *
                 (weights.sky[p] - 2 * expected[p] * weights.sky2[p] -
                  weights.of_sun[p]) +
@@ -142,7 +143,7 @@ void SkyLight::scatter(const SkyWeights& weights,
     }
     for (std::size_t r = 0; r < differences.size(); ++r)
         for (const auto& [v, x] : light.parts[r])
-            differences[r][v] += x * (linear[v] + square[v] * x);
+            differences[r][places_.part[v]] += x * (linear[v] + square[v] * x);
 }
 
 PairLight::PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
@@ -299,7 +300,7 @@ Moments PairLight::moments_of(const Hit& hit) const {
 
 void PairLight::add_amounts(const Weights& weights,
                             std::vector<double>& of_places,
-                            std::vector<double>& of_pieces) const {
+                            std::vector<double>& of_parts) const {
     // The terms of equations (3) to (5) without X and Y, then those in X.
     for (std::size_t p = 0; p < places_.count(); ++p) {
         const double s = expected_[p], k = sky_.expected[p];
@@ -311,7 +312,7 @@ void PairLight::add_amounts(const Weights& weights,
         const std::uint32_t p = places_.of[v];
         const Moments w = weights.places.at(p);
         const double per = places_.per_index[v], x = sun_.sum[v];
-        of_pieces[v] +=
+        of_parts[places_.part[v]] +=
             x / n_ *
                 (w.sun - 2 * expected_[p] * w.sun2 -
                  sky_.expected[p] * w.sun_sky) +
@@ -319,7 +320,7 @@ void PairLight::add_amounts(const Weights& weights,
                    product(x, sky_.light.sum[v], products_[v], n_) * w.sun_sky);
     }
     for (const Hit& hit : hits_)
-        of_pieces[hit.piece] +=
+        of_parts[places_.part[hit.piece]] +=
             hit.energy / n_ * weights.bins.at(hit.bin).dot(moments_of(hit));
 }
 
@@ -391,7 +392,7 @@ std::vector<double> PairLight::scatter(
     std::vector<double> sums(tallies_.size()), sun(places_.pieces());
     for (std::size_t r = 0; r < tallies_.size(); ++r) {
         const auto add = [&](std::size_t v, double amount) {
-            differences[r][v] += amount;
+            differences[r][places_.part[v]] += amount;
             sums[r] += amount;
         };
         // Diffuse light of the sun: linear parts, and -2 x_r y_r from (7).

@@ -53,7 +53,7 @@ class SkyLight {
     //! Adds the weighted sum of those moments of each piece that are
     //! proportional to the light of the sky, or to its square.
     void add_amounts(const SkyWeights& weights,
-                     std::vector<double>& of_pieces) const;
+                     std::vector<double>& of_parts) const;
 
     //! Adds the deviations of the weighted light, as PairLight::scatter().
     void scatter(const SkyWeights& weights,
@@ -78,10 +78,10 @@ class SkyLight {
 //! randomisations (a U-statistic, Hoeffding 1948, doi:10.1214/aoms/1177730196).
 class PairLight {
   public:
-    //! Beam hits, each bin with those at one place with about the same cosine.
-    //! The beam irradiance of level ground times this cosine is the irradiance
-    //! at which the leaf's more absorbing face would absorb as much as the leaf
-    //! does.
+    //! Bins of beam hits. A bin contains the hits at one place with about the
+    //! same cosine. The beam irradiance of level ground times this cosine is
+    //! the irradiance at which the leaf's more absorbing face would absorb as
+    //! much as the leaf does.
     struct Bins {
         std::vector<std::uint32_t> place;
         std::vector<double> cosine;
@@ -106,13 +106,13 @@ class PairLight {
     //! SkyLight::add_amounts() adds: of pieces, and what the leaves of a place
     //! have in proportion to their area.
     void add_amounts(const Weights& weights, std::vector<double>& of_places,
-                     std::vector<double>& of_pieces) const;
+                     std::vector<double>& of_parts) const;
 
     //! Adds the weights of the sky's light by place.
     void add_sky(const Weights& weights, SkyWeights& of_sky) const;
 
     //! Adds the deviations of the weighted sum of all moments to
-    //! [randomisation][piece], as jackknife pseudo-values (Quenouille 1956,
+    //! [randomisation][part], as jackknife pseudo-values (Quenouille 1956,
     //! doi:10.1093/biomet/43.3-4.353; Tukey 1958, doi:10.1214/aoms/1177706647).
     //! Deviations of products are scaled so that their scatter is correct.
     //! Deviations common to all randomisations are omitted. The light of the

@@ -9,9 +9,8 @@ A row has a tolerance of the light and a number of fields. The two plants are
 those of `ideotype fidelity`; each draw has another field and other paths, which
 both plants share. The noise of a difference is its standard deviation over the
 draws, in % of the baseline's mean at the last tolerance. Time is the median
-time of the processor of an evaluation, on one thread. The cost of a search is
-time times the square of the noise. Run
-it in a Python that has the package.
+processor time of an evaluation, on one thread. The cost of a search is time
+times the square of the noise. Run it in a Python that has the package.
 """
 
 from __future__ import annotations
@@ -129,7 +128,7 @@ def draw_figure(all_rows: dict[str, list[Row]], path: Path) -> None:
             markersize=9,
             fillstyle="none",
         )
-    axes.set_xlabel("time of the processor for an evaluation [ms]")
+    axes.set_xlabel("processor time of an evaluation [ms]")
     axes.set_ylabel("noise of the difference of two plants [%]")
     axes.set_title(
         "dotted: 1 field, lines: 4; circles: tolerance 0.005, 4 fields",

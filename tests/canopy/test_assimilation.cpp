@@ -12,6 +12,7 @@
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/transport.hpp"
+#include "leaf_places.hpp"
 
 namespace ideotype {
 namespace {
@@ -30,6 +31,42 @@ class Assimilating : public FieldOfTwoLeaves {
         return estimate(values);
     }
 };
+
+//! With few paths, places have many parts; with one tally, each has one piece.
+TEST_F(Assimilating, PlacesKeepTheAreaAndTheHeightOfTheirPieces) {
+    double all = 0, mean_height = 0;
+    for (std::size_t v = 0; v < pieces.count; ++v) {
+        all += pieces.area[v] / scene->ground_area();
+        mean_height += pieces.area[v] / scene->ground_area() * pieces.height[v];
+    }
+    std::size_t before = 0;
+    for (const Accuracy& accuracy :
+         {Accuracy{128, 16}, Accuracy{8192, 16}, Accuracy{8192, 1}}) {
+        const LeafPlaces places(pieces, lit(),
+                                light(request.scene.bands[0], accuracy, 1));
+        EXPECT_GT(places.count(), before);
+        before = places.count();
+        double area = 0, of_parts = 0, height = 0;
+        for (std::size_t p = 0; p < places.count(); ++p) {
+            double shares = 0;
+            places.for_parts(p, [&](std::size_t j, double at, double share) {
+                shares += share;
+                of_parts += places.part_index[j];
+                height += places.part_index[j] * at;
+            });
+            EXPECT_NEAR(shares, 1, 1e-12);
+            area += places.index[p];
+        }
+        EXPECT_NEAR(area, all, 1e-12 * all);
+        EXPECT_NEAR(of_parts, all, 1e-12 * all);
+        EXPECT_NEAR(height, mean_height, 1e-12 * mean_height);
+        for (std::size_t v = 0; v < pieces.count; ++v) {
+            ASSERT_GE(places.part[v], places.first_part[places.of[v]]);
+            ASSERT_LT(places.part[v], places.first_part[places.of[v] + 1]);
+        }
+    }
+    EXPECT_EQ(before, pieces.count);
+}
 
 //! See tests/benchmark/README.md for larger fields and more paths.
 TEST_F(Assimilating, FewPathsDoNotBiasAssimilation) {

@@ -128,7 +128,7 @@ class RayScene {
                              BoxTree tree = BoxTree::by_area);
 
     //! Replaces the tree of boxes if it is another one. Rays meet the same
-    //! faces; only where faces coincide may they meet another one.
+    //! faces; only at edges and where faces coincide may they meet another one.
     void set_tree(const Device& device, BoxTree tree);
 
     RayScene(RayScene&&) = default;

@@ -45,7 +45,7 @@ class LeafAir {
     struct Point {
         std::size_t place = 0;
         double ppfd = 0;    //!< absorbed light [umol m-2 s-1]
-        double cosine = 0;  //!< cosine of PairLight::Bin; 0: in the shade
+        double cosine = 0;  //!< cosine of PairLight::Bins; 0: in the shade
         Expansion gross{};  //!< gross assimilation in the air above
     };
 

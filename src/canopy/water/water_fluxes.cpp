@@ -39,8 +39,13 @@ WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
       drawn_(std::move(empty)),
       fluxes_(leaf_fluxes,
               Flux{std::vector<double>(places.count()),
-                   std::vector<double>(lit.par.light.series.steps.size())}) {
+                   std::vector<double>(lit.par.light.series.steps.size())}),
+      layers_(places.count()) {
     prepare_closed();
+    for (std::size_t p = 0; p < places.count(); ++p)
+        places.for_parts(p, [&](std::size_t, double height, double share) {
+            layers_[p][lit.layers.at(height)] += share;
+        });
     air_.see(places);
     lines_.emplace(air_);
     const Randomness& of = air_.leaves().randomness;
@@ -373,7 +378,8 @@ void WaterFluxes::add_drawn(std::size_t step, const StepLight* light,
         tally.steps[step] += more;
         more *= amounts_[k];
         tally.groups[group] += more;
-        tally.layers[lit_.layers.at(places_.height[drawn.place])] += more;
+        for (const auto& [layer, share] : layers_[drawn.place])
+            tally.layers[layer] += share * more;
         if (!tally.rows.empty()) tally.rows[places_.row[drawn.place]] += more;
     }
 }

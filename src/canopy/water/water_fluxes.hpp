@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -86,6 +87,8 @@ class WaterFluxes {
     std::optional<LeafLines> lines_{};
     FluxTallies drawn_;  //!< fluxes of sampled points minus their lines
     std::vector<Flux> fluxes_;
+    //! Fraction of each place's area by layer.
+    std::vector<std::map<std::size_t, double>> layers_;
     std::vector<ClosedStomata> closed_;  //!< by LeafWater::openings
     std::vector<bool> closes_in_{};      //!< steps in which closed_ is computed
     //! Factors from fluxes in a step to amounts on a mean day.

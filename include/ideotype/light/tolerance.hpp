@@ -25,8 +25,8 @@ inline constexpr double hits_of_piece = 1.5;
 //! The work that a tolerance requires, before it is done.
 struct Demand {
     Workload work{};  //!< without first hits: as many as the accuracy specifies
-    //! Expected number of rays in all randomisations, roughly: with a
-    //! tolerance, those of bounded bands, otherwise those of first hits.
+    //! Expected number of rays of bounded bands, in all randomisations;
+    //! infinite if it is unknown, since there was no trial.
     double rays = 0;
     //! Whether the path limit was reached before the tolerance, by band.
     std::vector<bool> is_capped{};

@@ -2,6 +2,7 @@
 #include "ideotype/light/tolerance.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "ideotype/core/contract.hpp"
@@ -41,9 +42,8 @@ constexpr std::size_t trial_suns = 4;
 //! efficiently. See tests/benchmark/README.md.
 constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
 
-double all_paths(const Accuracy& accuracy) {
-    return static_cast<double>(accuracy.all_paths());
-}
+//! The expected number of rays if paths are not divided by a trial.
+constexpr double unknown_rays = std::numeric_limits<double>::infinity();
 
 //! Computes the workload that a tolerance requires in one band.
 //!
@@ -115,7 +115,7 @@ class Search {
 
     //! Returns the expected number of rays of a workload.
     double rays(const Workload& work) const {
-        if (work.path_energy.empty()) return all_paths(accuracy_);
+        if (work.path_energy.empty()) return unknown_rays;
         const Amounts amounts = amounts_of(work, light_);
         return accuracy_.randomisations *
                ((are_drawn_ ? 0 : amounts[LightOrigin::beams]) +
@@ -295,7 +295,7 @@ class Demands {
 Demand find_demand(const Subject& subject, const Accuracy& accuracy,
                    const Randomness& randomness) {
     if (!(accuracy.tolerance > 0) || subject.light().sources.empty())
-        return {{}, all_paths(accuracy), {}};
+        return {{}, unknown_rays, {}};
     IDEOTYPE_EXPECT(accuracy.paths > 0 && accuracy.randomisations > 0);
     return Demands(subject, accuracy, randomness).demand();
 }

@@ -259,7 +259,8 @@ Subject subject_of(const Evaluation& all, const Layers& layers,
 
 //! Simulates the first field with trials. They determine the work that the
 //! tolerance requires; other fields repeat this work without trials.
-//! @param surfaces get the tree of boxes that suits the work
+//! @param surfaces get the tree of boxes that suits the work, if there are
+//! further fields
 //! @param simulation receives the light in this field
 FirstLook look_at(const Evaluation& all, const DrawnField& drawn,
                   const Device& device, RayScene& surfaces,
@@ -278,7 +279,7 @@ FirstLook look_at(const Evaluation& all, const DrawnField& drawn,
     const Accuracy& accuracy = all.plan.accuracy;
     Demand demand = find_demand(subject, accuracy, drawn.randomness);
     look.tree = quickest_tree(demand.rays, surfaces.faces());
-    surfaces.set_tree(device, look.tree);
+    if (all.plan.fields > 1) surfaces.set_tree(device, look.tree);
     simulation =
         simulate(subject, std::move(demand), accuracy, drawn.randomness);
     look.trial = {{}, simulation.paths, simulation.is_capped, simulation.work};
@@ -324,10 +325,21 @@ FieldLight light_in(const Evaluation& all, int number, const Device& device,
 
 }  // namespace
 
+namespace {
+
+//! Returns the tree of the first field. A single field is traced by trials and
+//! by the result, so that its faces meet many rays.
+BoxTree first_tree(const Plan& plan) {
+    return plan.fields > 1 && plan.accuracy.tolerance > 0 ? BoxTree::by_order
+                                                          : BoxTree::by_area;
+}
+
+}  // namespace
+
 FirstField first_field(const Evaluation& all, const Device& device,
                        const Clock& clock) {
     FirstField first;
-    first.light = light_in(all, 0, device, clock, BoxTree::by_order,
+    first.light = light_in(all, 0, device, clock, first_tree(all.plan),
                            [&](const DrawnField& drawn, RayScene& surfaces) {
                                Simulation simulation;
                                first.look = look_at(all, drawn, device,

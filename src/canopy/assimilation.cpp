@@ -61,7 +61,7 @@ class Assimilation {
         Noise(std::size_t randomisations, const LeafPlaces& places)
             : sky(places),
               differences(randomisations,
-                          std::vector<double>(places.pieces())) {}
+                          std::vector<double>(places.part_index.size())) {}
 
         Weights weights{};  //!< weights, summed over steps of one sun and sky
         SkyWeights sky;     //!< weights, summed over steps of one sky

@@ -31,6 +31,12 @@ double amax_at(double temperature) {
     return c4_temperature_response(temperature) / c4_temperature_response(30);
 }
 
+Hyperbola with_amax(const HyperbolaLeaf& leaf, double factor) {
+    Hyperbola response = leaf.response;
+    response.amax *= factor;
+    return response;
+}
+
 HyperbolaLeaf scale_one(HyperbolaLeaf leaf, double factor) {
     leaf.response.amax *= factor;
     if (leaf.respiration) *leaf.respiration *= factor;
@@ -71,9 +77,7 @@ double maintenance_respiration(double maintenance, double temperature) {
 }
 
 Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature) {
-    Hyperbola response = leaf.response;
-    response.amax *= amax_at(temperature);
-    return response;
+    return with_amax(leaf, amax_at(temperature));
 }
 
 double dark_respiration(const LeafRates& leaf, double temperature) {
@@ -89,9 +93,7 @@ double LeavesInAir::deficit() {
 
 Hyperbola LeavesInAir::response_of(const HyperbolaLeaf& leaf) {
     if (!of_hyperbola_) of_hyperbola_ = amax_at(air_.temperature);
-    Hyperbola response = leaf.response;
-    response.amax *= *of_hyperbola_;
-    return response;
+    return with_amax(leaf, *of_hyperbola_);
 }
 
 Colimitation LeavesInAir::response_of(const CollatzLeaf& leaf) {

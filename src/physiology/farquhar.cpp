@@ -49,25 +49,6 @@ FarquharFactors::FarquharFactors(double temperature)
       curvature(0.00037 * (temperature * temperature - 25 * 25)),
       respiration(ideotype::rise(46.39, temperature)) {}
 
-FarquharAt::FarquharAt(const FarquharLeaf& leaf, const FarquharFactors& factors)
-    : compensation_(factors.compensation),
-      half_rate_(factors.half_rate),
-      vcmax_(leaf.vcmax * factors.vcmax),
-      triose_use_(3 * leaf.tpu * factors.tpu),
-      jmax_(leaf.jmax),
-      jmax_rise_(factors.jmax),
-      yield_(factors.yield),
-      theta_(std::clamp(leaf.theta + factors.rise - factors.curvature, 0., 1.)),
-      beta_(leaf.beta) {}
-
-Colimitation FarquharAt::operator()(double ci) const {
-    const double above = std::max(ci - compensation_, 0.0);
-    const double per_electron = above / (4.5 * ci + 10.5 * compensation_);
-    const double rubisco = vcmax_ * above / (ci + half_rate_);
-    return {per_electron * yield_, per_electron * jmax_ * jmax_rise_, theta_,
-            beta_, smooth_minimum(beta_, rubisco, triose_use_)};
-}
-
 Colimitation farquhar_at(const FarquharLeaf& leaf, double temperature,
                          double ci) {
     return FarquharAt(leaf, temperature)(ci);

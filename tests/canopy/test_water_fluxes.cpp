@@ -207,7 +207,9 @@ TEST_F(WaterOfTwoLeaves, EnergyOfTheCanopyCloses) {
             for (const double cosine : {0., .7}) {
                 const LeafAir::Point point{p, 100 + 1200 * cosine, cosine};
                 const LeafSurroundings around = air.around(point);
-                const LeafExchange found = air.solve(point, nullptr);
+                LeafAir::Batch batch(air);
+                batch.add(point, nullptr);
+                const LeafExchange found = batch.solve().front();
                 absorbed += places.index[p] *
                             (around.ppfd / 4.57 + around.nir + around.longwave);
                 const double emitted = 2 * leaf_emissivity * stefan_boltzmann *

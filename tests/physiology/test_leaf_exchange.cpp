@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "any_leaf.hpp"
 #include "ideotype/physiology/leaf_exchange.hpp"
+#include "leaf_energy.hpp"
 
 namespace ideotype {
 namespace {
@@ -23,14 +26,49 @@ double part_left(const Case& each, const LeafExchange& found) {
     return 1 - lost / absorbed;
 }
 
-TEST(LeafExchange, IsTheEnergyBalanceOfAnyLeaf) {
+std::vector<Case> any_leaves(std::size_t count) {
     AnyLeaf any;
+    std::vector<Case> cases;
+    while (cases.size() < count) cases.push_back(any.next());
+    return cases;
+}
+
+std::vector<LeafExchange> solve(std::span<const Case> cases) {
+    std::vector<ThermalPoint> points;
+    for (const Case& each : cases) points.push_back({&each.leaf, each.around});
+    std::vector<LeafExchange> solved(points.size());
+    leaf_exchange(points, solved.data());
+    return solved;
+}
+
+TEST(LeafExchange, OfAPointDoesNotDependOnOthers) {
+    const std::vector<Case> cases = any_leaves(100);
+    const std::vector<LeafExchange> together = solve(cases);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const LeafExchange alone = solve({&cases[i], 1}).front();
+        EXPECT_EQ(alone.temperature, together[i].temperature);
+        EXPECT_EQ(alone.net.value, together[i].net.value);
+        EXPECT_EQ(alone.net.curvature, together[i].net.curvature);
+        EXPECT_EQ(alone.transpiration.slope, together[i].transpiration.slope);
+        EXPECT_EQ(alone.conductance, together[i].conductance);
+    }
+}
+
+TEST(CubeRoot, IsExactToRounding) {
+    for (double x = 1e-300; x < 1e300; x *= 1.37)
+        EXPECT_NEAR(cube_root(x) / std::cbrt(x), 1, 1e-15);
+    EXPECT_EQ(cube_root(0), 0);
+}
+
+TEST(LeafExchange, IsTheEnergyBalanceOfAnyLeaf) {
+    const std::vector<Case> cases = any_leaves(10000);
+    const std::vector<LeafExchange> solved = solve(cases);
     double largest = 0, largest_net = 0, left = 0;
-    for (int i = 0; i < 10000; ++i) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
         SCOPED_TRACE(i);
-        const Case each = any.next();
+        const Case& each = cases[i];
         const EnergyBalance exact = energy_balance(each.leaf, each.around);
-        const LeafExchange found = leaf_exchange(each.leaf, each.around);
+        const LeafExchange& found = solved[i];
         EXPECT_NEAR(found.temperature, exact.temperature, .02);
         EXPECT_NEAR(found.net.value, exact.net,
                     .02 + 1e-3 * std::abs(exact.net));

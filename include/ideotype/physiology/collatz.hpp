@@ -27,6 +27,7 @@ Colimitation collatz_at(const CollatzLeaf& leaf, double temperature, double ci);
 
 //! Factors of the rates of a C4 leaf at a temperature, relative to 25 deg C.
 struct CollatzFactors {
+    CollatzFactors() = default;
     explicit CollatzFactors(double temperature);
 
     double capacity;     //!< temperature response of vmax

@@ -57,6 +57,7 @@ Colimitation farquhar_at(const FarquharLeaf& leaf, double temperature,
 //! Factors of the rates of a C3 leaf at a temperature, relative to 25 deg C
 //! unless a unit is given.
 struct FarquharFactors {
+    FarquharFactors() = default;
     explicit FarquharFactors(double temperature);
 
     double compensation;  //!< G* [umol mol-1]
@@ -72,8 +73,25 @@ class FarquharAt {
   public:
     FarquharAt(const FarquharLeaf& leaf, double temperature)
         : FarquharAt(leaf, FarquharFactors(temperature)) {}
-    FarquharAt(const FarquharLeaf& leaf, const FarquharFactors& factors);
-    Colimitation operator()(double ci) const;
+    FarquharAt(const FarquharLeaf& leaf, const FarquharFactors& factors)
+        : compensation_(factors.compensation),
+          half_rate_(factors.half_rate),
+          vcmax_(leaf.vcmax * factors.vcmax),
+          triose_use_(3 * leaf.tpu * factors.tpu),
+          jmax_(leaf.jmax),
+          jmax_rise_(factors.jmax),
+          yield_(factors.yield),
+          theta_(std::min(
+              std::max(leaf.theta + factors.rise - factors.curvature, 0.), 1.)),
+          beta_(leaf.beta) {}
+
+    Colimitation operator()(double ci) const {
+        const double above = std::max(ci - compensation_, 0.0);
+        const double per_electron = above / (4.5 * ci + 10.5 * compensation_);
+        const double rubisco = vcmax_ * above / (ci + half_rate_);
+        return {per_electron * yield_, per_electron * jmax_ * jmax_rise_,
+                theta_, beta_, smooth_minimum(beta_, rubisco, triose_use_)};
+    }
 
   private:
     double compensation_;  //!< G* [umol mol-1]

@@ -226,7 +226,7 @@ void LeafAir::set_air(const CanopyAir& air) {
 
 CanopyAir LeafAir::driven_by(std::uint32_t group, double heat,
                              double water) const {
-    if (!water_.has_leaf_temperature || !water_.has_canopy_air) return {};
+    if (!has_canopy_air()) return {};
     const LeafSurroundings& above = leaf_[group]->above;
     const double per_volume =
         above.pressure / (gas_constant * (above.temperature + kelvin));
@@ -250,14 +250,29 @@ LeafSurroundings LeafAir::around(const Point& point) const {
     return around;
 }
 
-LeafExchange LeafAir::solve(const Point& point,
-                            const LeafExchange* like) const {
-    const Leaf& leaf = *leaf_[at_[point.place].group];
-    if (water_.has_leaf_temperature)
-        return leaf_exchange(leaf.leaf, around(point), like);
+void LeafAir::Batch::clear() {
+    points_.clear();
+    solved_.clear();
+}
+
+void LeafAir::Batch::add(const Point& point, const LeafExchange* like) {
+    const Leaf& leaf = *air_.leaf_[air_.at_[point.place].group];
+    if (air_.warms()) {
+        points_.push_back({&leaf.leaf, air_.around(point), like});
+        return;
+    }
     Expansion net = point.gross;
     net.value -= leaf.respiration;
-    return exchange_at_air_temperature(leaf.leaf.stomata, leaf.above, net);
+    solved_.push_back(
+        exchange_at_air_temperature(leaf.leaf.stomata, leaf.above, net));
+}
+
+std::span<const LeafExchange> LeafAir::Batch::solve() {
+    if (air_.warms()) {
+        solved_.resize(points_.size());
+        leaf_exchange(points_, solved_.data());
+    }
+    return solved_;
 }
 
 LeafAir::Fluxes LeafAir::fluxes_of(const LeafExchange& found,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ideotype/canopy/water.hpp"
@@ -59,6 +60,9 @@ class LeafAir {
     //! Returns whether leaf temperature follows from an energy balance.
     bool warms() const { return water_.has_leaf_temperature; }
 
+    //! Returns whether leaves warm and moisten the air within the canopy.
+    bool has_canopy_air() const { return warms() && water_.has_canopy_air; }
+
     //! Sets the properties of places that are equal in all steps.
     void see(const LeafPlaces& places);
 
@@ -111,10 +115,28 @@ class LeafAir {
     //! Returns the surroundings of a point on a leaf, if warms().
     LeafSurroundings around(const Point& point) const;
 
-    //! Solves the energy balance of a point.
-    //! @param like solution for a point in similar light and air, used as the
-    //! starting point; null: none
-    LeafExchange solve(const Point& point, const LeafExchange* like) const;
+    //! Points to be solved together. Each is in the air at the time when it is
+    //! added.
+    class Batch {
+      public:
+        explicit Batch(const LeafAir& air) : air_(air) {}
+
+        void clear();
+
+        //! @param like solution for a point in similar light and air, used as
+        //! the starting point; null: none
+        void add(const Point& point, const LeafExchange* like);
+
+        //! Solves the energy balances of all points.
+        //! @return the solutions in the order of the points, until the next
+        //! call
+        std::span<const LeafExchange> solve();
+
+      private:
+        const LeafAir& air_;
+        std::vector<ThermalPoint> points_;
+        std::vector<LeafExchange> solved_;
+    };
 
     //! Returns the fluxes at a point from its solution.
     Fluxes fluxes_of(const LeafExchange& found, const Point& point) const;

@@ -7,6 +7,14 @@
 
 namespace ideotype {
 
+namespace {
+
+//! The difference of light or assimilation [umol m-2 s-1] below which leaves of
+//! a class count as equal.
+constexpr double least_difference = 0.1;
+
+}  // namespace
+
 void LeafLines::add(std::uint32_t group, double ppfd, double cosine,
                     double area) {
     // By rounding, the shaded area of a place may be slightly negative.
@@ -38,18 +46,25 @@ void LeafLines::find_points(const std::vector<LeafResponse>& responses) {
                        &point.gross.slope, &point.gross.curvature);
         }
     }
-    find_typical();
+    find_members();
 }
 
-//! Chooses a middle class of each component to represent all its classes.
-void LeafLines::find_typical() {
-    constexpr std::uint32_t all = LeafAir::classes_per_component;
-    constexpr std::array<std::uint32_t, all> by_preference{2, 1, 3, 0};
+//! Finds the classes with leaves, and a middle class of each component to
+//! represent all its classes.
+void LeafLines::find_members() {
+    constexpr std::uint32_t per_component = LeafAir::classes_per_component;
+    constexpr std::array<std::uint32_t, per_component> by_preference{2, 1, 3,
+                                                                     0};
+    all_.clear();
     typical_.clear();
-    for (std::uint32_t first = 0; first < classes_.size(); first += all) {
+    for (std::uint32_t first = 0; first < classes_.size();
+         first += per_component) {
         double area = 0;
-        for (std::uint32_t c = first; c < first + all; ++c)
-            if (classes_[c].is_used) area += classes_[c].area();
+        for (std::uint32_t c = first; c < first + per_component; ++c) {
+            if (!classes_[c].is_used) continue;
+            area += classes_[c].area();
+            all_.push_back({c, 1});
+        }
         for (const std::uint32_t i : by_preference)
             if (area > 0 && classes_[first + i].is_used) {
                 typical_.push_back(
@@ -59,34 +74,31 @@ void LeafLines::find_typical() {
     }
 }
 
+//! Returns the number of mean leaves of a class to be solved. The slope between
+//! two nearly identical leaves would consist mostly of rounding errors.
+std::size_t LeafLines::points_of(const Class& leaves) const {
+    const auto& [shade, sun] = leaves.points;
+    return std::max(std::abs(sun.ppfd - shade.ppfd),
+                    std::abs(sun.gross.value - shade.gross.value)) >
+                   least_difference
+               ? 2
+               : 1;
+}
+
+//! Computes the lines of a class from the solutions of its mean leaves.
 void LeafLines::draw(Class& leaves) {
     const auto& [shade, sun] = leaves.points;
     const double light = sun.ppfd - shade.ppfd;
     const double gross = sun.gross.value - shade.gross.value;
-    // The slope between two nearly identical leaves would consist mostly of
-    // rounding errors.
-    constexpr double least = 0.1;
-    const std::size_t points =
-        std::max(std::abs(light), std::abs(gross)) > least ? 2 : 1;
     LeafAir::Fluxes found[2];
-    for (std::size_t i = 0; i < points; ++i) {
-        const LeafExchange* like =
-            leaves.is_known ? &leaves.solved[i] : nullptr;
-        if (i == 1 && !like) like = &leaves.solved[0];
-        leaves.solved[i] = air_.solve(leaves.points[i], like);
+    for (std::size_t i = 0; i < 2; ++i)
         found[i] = air_.fluxes_of(leaves.solved[i], leaves.points[i]);
-    }
-    if (points == 1) {
-        leaves.solved[1] = leaves.solved[0];
-        found[1] = found[0];
-    }
-    leaves.is_known = true;
     const std::size_t i = leaves.means[0].area > 0 ? 0 : 1;
     const LeafAir::Point& known = leaves.points[i];
     for (std::size_t k = 0; k < leaf_fluxes; ++k) {
         const bool by_gross = is_in_gross(static_cast<LeafFlux>(k));
         const double more = by_gross ? gross : light;
-        leaves.slope[k] = std::abs(more) > least
+        leaves.slope[k] = std::abs(more) > least_difference
                               ? (found[1][k].value - found[0][k].value) / more
                               : 0;
         leaves.constant[k] =
@@ -95,11 +107,9 @@ void LeafLines::draw(Class& leaves) {
     }
 }
 
-//! Computes the lines of a class, and returns the canopy air that results from
-//! them.
-CanopyAir LeafLines::driven_by(std::uint32_t c) {
-    Class& leaves = classes_[c];
-    draw(leaves);
+//! Returns the canopy air that results from the lines of a class.
+CanopyAir LeafLines::driven_by(std::uint32_t c) const {
+    const Class& leaves = classes_[c];
     const Mean &shade = leaves.means[0], &sun = leaves.means[1];
     const auto flux = [&](LeafFlux of, double by) {
         const auto k = static_cast<std::size_t>(of);
@@ -110,29 +120,46 @@ CanopyAir LeafLines::driven_by(std::uint32_t c) {
                           flux(LeafFlux::transpiration, leaves.gross));
 }
 
-//! Returns the canopy air that results from the fluxes of leaves in given air.
-CanopyAir LeafLines::driven(const CanopyAir& in) {
-    air_.set_air(in);
-    CanopyAir sum;
-    for (std::uint32_t c = 0; c < classes_.size(); ++c) {
-        if (!classes_[c].is_used) continue;
-        const CanopyAir own = driven_by(c);
-        sum.warmer += own.warmer;
-        sum.moister += own.moister;
+//! Computes the lines of some classes in several states of the canopy air, and
+//! the canopy air that results from each. The lines of the last state stay.
+void LeafLines::drive(const std::vector<Member>& members, const CanopyAir* airs,
+                      std::size_t count, CanopyAir* driven) {
+    // Solve the mean leaves of all classes in all airs together. A class that
+    // was not solved in this step starts from one of its component that was.
+    batch_.clear();
+    for (std::size_t a = 0; a < count; ++a) {
+        air_.set_air(airs[a]);
+        for (const Member& member : members) {
+            const Class& leaves = classes_[member.number];
+            for (std::size_t i = 0; i < points_of(leaves); ++i)
+                batch_.add(leaves.points[i],
+                           leaves.is_known ? &leaves.solved[i] : nullptr);
+        }
     }
-    return sum;
+    const LeafExchange* next = batch_.solve().data();
+    for (std::size_t a = 0; a < count; ++a) {
+        air_.set_air(airs[a]);
+        driven[a] = {};
+        for (const Member& member : members) {
+            Class& leaves = classes_[member.number];
+            const std::size_t points = points_of(leaves);
+            leaves.solved[0] = next[0];
+            leaves.solved[1] = next[points - 1];
+            leaves.is_known = true;
+            next += points;
+            draw(leaves);
+            const CanopyAir own = driven_by(member.number);
+            driven[a].warmer += member.scale * own.warmer;
+            driven[a].moister += member.scale * own.moister;
+        }
+    }
 }
 
-//! Estimates driven() from the typical classes only.
-CanopyAir LeafLines::typically_driven(const CanopyAir& in) {
-    air_.set_air(in);
-    CanopyAir sum;
-    for (const Typical& each : typical_) {
-        const CanopyAir own = driven_by(each.number);
-        sum.warmer += each.scale * own.warmer;
-        sum.moister += each.scale * own.moister;
-    }
-    return sum;
+//! Returns the canopy air that results from the fluxes of leaves in given air.
+CanopyAir LeafLines::driven(const CanopyAir& in) {
+    CanopyAir result;
+    drive(all_, &in, 1, &result);
+    return result;
 }
 
 //! Estimates the canopy air from the typical classes. Also estimates the
@@ -140,15 +167,12 @@ CanopyAir LeafLines::typically_driven(const CanopyAir& in) {
 //! by one secant for each of its two variables.
 void LeafLines::guess_air() {
     in_ = {};
-    const CanopyAir first = typically_driven(in_);
-    if (first.warmer == 0 && first.moister == 0) return;
-    // The secant steps have about the size of the expected difference.
-    const double dt = std::copysign(
-        std::clamp(std::abs(first.warmer) / 2, 0.1, 2.), first.warmer);
-    const double de = std::copysign(
-        std::clamp(std::abs(first.moister) / 2, 0.02, 0.5), first.moister);
-    const CanopyAir warm = typically_driven({dt, 0}),
-                    moist = typically_driven({0, de});
+    if (!air_.has_canopy_air()) return;
+    constexpr double dt = 0.5, de = 0.05;  // steps of the secants [K, kPa]
+    constexpr std::array<CanopyAir, 3> airs{CanopyAir{}, {dt, 0}, {0, de}};
+    std::array<CanopyAir, airs.size()> by;
+    drive(typical_, airs.data(), airs.size(), by.data());
+    const auto& [first, warm, moist] = by;
     slopes_ = {(warm.warmer - first.warmer) / dt,
                (moist.warmer - first.warmer) / de,
                (warm.moister - first.moister) / dt,
@@ -231,12 +255,18 @@ std::vector<LeafLines::Sums> LeafLines::close_stomata(
         air_.set_air(in_);
         std::pair<Sums, CanopyAir> result{};
         auto& [sums, by] = result;
+        const auto point = [&](const Stratum& of) {
+            return LeafAir::Point{air_.mean_place(of.number), of.ppfd,
+                                  of.cosine};
+        };
+        batch_.clear();
+        for (std::size_t i = 0; i < strata.size(); ++i)
+            batch_.add(point(strata[i]), is_known ? &solved[i] : nullptr);
+        std::ranges::copy(batch_.solve(), solved.begin());
         for (std::size_t i = 0; i < strata.size(); ++i) {
             const Stratum& each = strata[i];
-            const LeafAir::Point point{air_.mean_place(each.number), each.ppfd,
-                                       each.cosine};
-            solved[i] = air_.solve(point, is_known ? &solved[i] : nullptr);
-            const LeafAir::Fluxes found = air_.fluxes_of(solved[i], point);
+            const LeafAir::Fluxes found =
+                air_.fluxes_of(solved[i], point(each));
             for (std::size_t k = 0; k < leaf_fluxes; ++k)
                 sums[k] += each.area * found[k].value;
             const auto amount = [&](LeafFlux flux) {

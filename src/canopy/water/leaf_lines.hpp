@@ -18,7 +18,8 @@ namespace ideotype {
 class LeafLines {
   public:
     //! @param air air for which LeafAir::see() was called
-    explicit LeafLines(LeafAir& air) : air_(air), classes_(air.classes()) {}
+    explicit LeafLines(LeafAir& air)
+        : air_(air), batch_(air), classes_(air.classes()) {}
 
     //! Forgets all leaves.
     void clear() {
@@ -108,10 +109,10 @@ class LeafLines {
 
         double area() const { return means[0].area + means[1].area; }
     };
-    //! A class that represents its component.
-    struct Typical {
+    //! A class that represents itself or its component.
+    struct Member {
         std::uint32_t number;  //!< number of the class
-        double scale;  //!< leaf area of the component relative to the class
+        double scale;  //!< leaf area that it represents, relative to its own
     };
 
     Class& of(std::uint32_t group) { return classes_[air_.class_of(group)]; }
@@ -119,18 +120,22 @@ class LeafLines {
         return classes_[air_.class_of(group)];
     }
     void find_points(const std::vector<LeafResponse>& responses);
-    void find_typical();
-    CanopyAir driven_by(std::uint32_t c);
+    void find_members();
+    void drive(const std::vector<Member>& members, const CanopyAir* airs,
+               std::size_t count, CanopyAir* driven);
     CanopyAir driven(const CanopyAir& in);
-    CanopyAir typically_driven(const CanopyAir& in);
     void guess_air();
     void move_air(const CanopyAir& left);
     void learn_slopes(const CanopyAir& by, const CanopyAir& more);
+    std::size_t points_of(const Class& leaves) const;
     void draw(Class& leaves);
+    CanopyAir driven_by(std::uint32_t c) const;
 
     LeafAir& air_;
+    LeafAir::Batch batch_;
     std::vector<Class> classes_;
-    std::vector<Typical> typical_{};
+    //! All classes with leaves, and the classes that represent each component.
+    std::vector<Member> all_{}, typical_{};
     //! Air in the step, and air that results from leaves.
     CanopyAir in_{}, driven_{};
     //! Derivatives of the resulting air with respect to the air around leaves:

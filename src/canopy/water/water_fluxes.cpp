@@ -48,6 +48,7 @@ WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
         });
     air_.see(places);
     lines_.emplace(air_);
+    batch_.emplace(air_);
     const Randomness& of = air_.leaves().randomness;
     for (std::uint32_t r = 0; r < drawn_.front().size(); ++r)
         starts_.push_back(RandomStream(of.seed, Purpose::leaf_point,
@@ -337,6 +338,8 @@ void WaterFluxes::draw(std::size_t step, const StepLight* light) {
     const double all = chances_.empty() ? 0 : chances_.back();
     if (!(all > 0)) return;
     const double count = counts_[step];
+    samples_.clear();
+    batch_->clear();
     for (std::size_t r = 0; r < starts_.size(); ++r) {
         const double turns =
             starts_[r] + golden_ratio * static_cast<double>(step);
@@ -346,20 +349,24 @@ void WaterFluxes::draw(std::size_t step, const StepLight* light) {
             const auto area =
                 static_cast<std::size_t>(found - chances_.begin());
             const double own = *found - (area > 0 ? chances_[area - 1] : 0);
-            if (own > 0) add_drawn(step, light, r, area, all / (count * own));
+            if (!(own > 0)) continue;
+            const LeafAir::Point at = point(light, area);
+            samples_.push_back({r, area, all / (count * own), at});
+            batch_->add(
+                at, &lines_->solved(places_.group[at.place], at.cosine > 0));
         }
     }
+    const std::span<const LeafExchange> solved = batch_->solve();
+    for (std::size_t i = 0; i < solved.size(); ++i)
+        add_drawn(step, light, samples_[i], solved[i]);
 }
 
 //! Adds the deviation of a sampled point from its lines.
 void WaterFluxes::add_drawn(std::size_t step, const StepLight* light,
-                            std::size_t randomisation, std::size_t area,
-                            double times) {
-    const LeafAir::Point drawn = point(light, area);
+                            const Sample& sample, const LeafExchange& solved) {
+    const auto& [randomisation, area, times, drawn] = sample;
     const std::uint32_t group = places_.group[drawn.place];
-    const LeafExchange& like = lines_->solved(group, drawn.cosine > 0);
-    const LeafAir::Fluxes found =
-        air_.fluxes_of(air_.solve(drawn, &like), drawn);
+    const LeafAir::Fluxes found = air_.fluxes_of(solved, drawn);
     for (std::size_t k = 0; k < leaf_fluxes; ++k) {
         const auto flux = static_cast<LeafFlux>(k);
         if (!takes(flux, light)) continue;

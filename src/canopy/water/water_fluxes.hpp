@@ -60,6 +60,14 @@ class WaterFluxes {
     const std::vector<Flux>& fluxes() const { return fluxes_; }
 
   private:
+    //! A sampled point.
+    struct Sample {
+        std::size_t randomisation;
+        std::size_t area;  //!< index in areas_
+        double times;      //!< 1 / expected number of samples of the area
+        LeafAir::Point point;
+    };
+
     //! @param light light in the step; null: a step without light
     void add(std::size_t step, const StepLight* light);
     void find_counts();
@@ -73,7 +81,7 @@ class WaterFluxes {
     void complete_closed();
     void draw(std::size_t step, const StepLight* light);
     void add_drawn(std::size_t step, const StepLight* light,
-                   std::size_t randomisation, std::size_t area, double times);
+                   const Sample& sample, const LeafExchange& solved);
     LeafAir::Point point(const StepLight* light, std::size_t area) const;
     void weigh_hot(const StepLight& light, double amount, Weights& all) const;
     bool takes(LeafFlux flux, const StepLight* light) const;
@@ -85,6 +93,8 @@ class WaterFluxes {
     const LeafPlaces& places_;
     LeafAir& air_;
     std::optional<LeafLines> lines_{};
+    std::optional<LeafAir::Batch> batch_{};
+    std::vector<Sample> samples_{};  //!< samples of a step
     FluxTallies drawn_;  //!< fluxes of sampled points minus their lines
     std::vector<Flux> fluxes_;
     //! Fraction of each place's area by layer.

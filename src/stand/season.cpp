@@ -300,15 +300,17 @@ void Season::add_water(const Soils& soils, const std::vector<StageDays>& stages,
         result.rain = sum([](const State& x) { return x.day.rain; });
         result.soil_water =
             sum([&](const State& x) { return x.soil_water / count; });
+        // The share that plants transpire is at least 0 in each randomisation,
+        // so that stress is at most 1.
         result.stress = spread([&](const std::vector<SeasonState>& states) {
-            double missed = 0, potential = 0;
-            for (std::size_t d = 0; d < days_.size(); ++d) {
-                missed += states[d].potential_transpiration -
-                          states[d].fluxes.transpiration;
-                potential += states[d].potential_transpiration;
+            double transpired = 0, potential = 0;
+            for (const State& x : states) {
+                transpired += x.fluxes.transpiration;
+                potential += x.potential_transpiration;
             }
-            return potential > 0 ? share * missed / potential : 0;
+            return potential > 0 ? transpired / potential : 1;
         });
+        for (double& x : result.stress) x = share * (1 - x);
         const std::size_t all = soils.by_randomisation.size();
         result.evaporation_of_dates.assign(all,
                                            std::vector<double>(stage.dates));

@@ -29,8 +29,22 @@ class alignas(64) Lanes {
         for_each_double(value, [&](double& x) { arrays_[i++][lane] = x; });
     }
 
+    //! Sets a value, or leaves the present one.
+    [[gnu::always_inline]] void set_unless(bool stays, std::size_t lane,
+                                           T value) {
+        // All values are chosen before one is written, or loops would need
+        // masked writes, which SSE2 does not have.
+        std::size_t i = 0;
+        for_each_double(value, [&](double& x) {
+            x = stays ? arrays_[i][lane] : x;
+            ++i;
+        });
+        set(lane, value);
+    }
+
   private:
-    double arrays_[sizeof(T) / sizeof(double)][count] = {};
+    // Values are set before they are read.
+    double arrays_[sizeof(T) / sizeof(double)][count];
 };
 
 }  // namespace ideotype

@@ -122,15 +122,13 @@ struct Model;
 template <>
 struct Model<CollatzLeaf> {
     using At = CollatzAt;
-    using Factors = CollatzFactors;
-    using Numbers = NumbersAt<Factors>;
+    using Numbers = NumbersAt<CollatzFactors>;
 };
 
 template <>
 struct Model<FarquharLeaf> {
     using At = FarquharAt;
-    using Factors = FarquharFactors;
-    using Numbers = NumbersAt<Factors>;
+    using Numbers = NumbersAt<FarquharFactors>;
 };
 
 //! Returns the expansion of transpiration from that of net assimilation, to
@@ -139,6 +137,17 @@ Expansion transpiration_of(double amount, double share, const Expansion& net) {
     if (!(net.value > 0)) return {amount, 0, 0};
     const double per_net = amount * share / net.value;
     return {amount, per_net * net.slope, per_net * net.curvature};
+}
+
+//! Returns the share of transpiration that follows from stomata opened by
+//! assimilation.
+//! @param latent latent heat flux; below 0: dew
+double opened_share(double conductance, double intercept, double boundary,
+                    double latent) {
+    return conductance > 0 && latent > 0
+               ? boundary / (conductance + boundary) *
+                     (conductance - intercept) / conductance
+               : 0;
 }
 
 //! The parts of a leaf and its surroundings that sweeps need.
@@ -194,21 +203,6 @@ template <class Rates>
     for_each_double(of.response, take);
     take(of.respiration), take(of.heat), take(of.boundary), take(of.saturated),
         take(of.latent);
-}
-
-//! Returns one of two states, double by double.
-[[gnu::always_inline]] inline Swept choose(bool is_first, const Swept& first,
-                                           Swept second) {
-    Swept of = first;
-    std::array<double, sizeof(Swept) / sizeof(double)> values;
-    std::size_t i = 0;
-    for_each_double(of, [&](double& x) { values[i++] = x; });
-    i = 0;
-    for_each_double(second, [&](double& x) {
-        x = is_first ? values[i] : x;
-        ++i;
-    });
-    return second;
 }
 
 //! Computes assimilation and stomatal conductance at leaf temperature.
@@ -310,8 +304,8 @@ template <class Rates>
         double steady = 0;
         for (std::size_t k = 0; k < width; ++k) {
             const Swept now = here[k];
-            const Swept next = sweep<Rates>(leaf[k], now, numbers[k]);
-            here.set(k, choose(now.is_steady > 0, now, next));
+            here.set_unless(now.is_steady > 0, k,
+                            sweep<Rates>(leaf[k], now, numbers[k]));
         }
         for (std::size_t k = 0; k < width; ++k) steady += here[k].is_steady;
         if (steady == width) break;
@@ -342,10 +336,8 @@ LeafExchange result_of(const SweptLeaf<Rates>& leaf, const Swept& last) {
     const double latent = energy.net_radiation(last.t) - sensible;
     Expansion net = last.response.expand(leaf.ppfd);
     net.value -= last.respiration;
-    const double share = last.gs > 0 && latent > 0
-                             ? last.boundary / (last.gs + last.boundary) *
-                                   (last.gs - leaf.intercept) / last.gs
-                             : 0;
+    const double share =
+        opened_share(last.gs, leaf.intercept, last.boundary, latent);
     return {
         net,      transpiration_of(energy.transpiration(latent), share, net),
         last.gs,  last.t,
@@ -363,12 +355,8 @@ LeafExchange from_balance(const Rates& rates, const ThermalLeaf& leaf,
     net.value = found.net;
     const double boundary =
         LeafEnergy(leaf, around).boundary_of(found.boundary_heat);
-    const double share =
-        found.conductance > 0 && found.latent > 0
-            ? boundary / (found.conductance + boundary) *
-                  (found.conductance - leaf.stomata.intercept) /
-                  found.conductance
-            : 0;
+    const double share = opened_share(found.conductance, leaf.stomata.intercept,
+                                      boundary, found.latent);
     return {net,
             transpiration_of(found.transpiration, share, net),
             found.conductance,
@@ -381,7 +369,7 @@ LeafExchange from_balance(const Rates& rates, const ThermalLeaf& leaf,
 template <class Rates>
 class Solver {
   public:
-    explicit Solver(std::span<const ThermalPoint> points, LeafExchange* results)
+    Solver(std::span<const ThermalPoint> points, LeafExchange* results)
         : points_(points), results_(results) {}
 
     void solve() {

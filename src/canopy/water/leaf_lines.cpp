@@ -90,10 +90,13 @@ void LeafLines::draw(Class& leaves) {
     const auto& [shade, sun] = leaves.points;
     const double light = sun.ppfd - shade.ppfd;
     const double gross = sun.gross.value - shade.gross.value;
-    LeafAir::Fluxes found[2];
-    for (std::size_t i = 0; i < 2; ++i)
-        found[i] = air_.fluxes_of(leaves.solved[i], leaves.points[i]);
     const std::size_t i = leaves.means[0].area > 0 ? 0 : 1;
+    LeafAir::Fluxes found[2];
+    found[i] = air_.fluxes_of(leaves.solved[i], leaves.points[i]);
+    // Without another leaf all slopes are 0.
+    if (points_of(leaves) == 2)
+        found[1 - i] =
+            air_.fluxes_of(leaves.solved[1 - i], leaves.points[1 - i]);
     const LeafAir::Point& known = leaves.points[i];
     for (std::size_t k = 0; k < leaf_fluxes; ++k) {
         const bool by_gross = is_in_gross(static_cast<LeafFlux>(k));
@@ -122,13 +125,12 @@ CanopyAir LeafLines::driven_by(std::uint32_t c) const {
 
 //! Computes the lines of some classes in several states of the canopy air, and
 //! the canopy air that results from each. The lines of the last state stay.
-void LeafLines::drive(const std::vector<Member>& members, const CanopyAir* airs,
-                      std::size_t count, CanopyAir* driven) {
-    // Solve the mean leaves of all classes in all airs together. A class that
-    // was not solved in this step starts from one of its component that was.
+void LeafLines::drive(const std::vector<Member>& members,
+                      std::span<const CanopyAir> airs, CanopyAir* driven) {
+    // Solve the mean leaves of all classes in all airs together.
     batch_.clear();
-    for (std::size_t a = 0; a < count; ++a) {
-        air_.set_air(airs[a]);
+    for (const CanopyAir& air : airs) {
+        air_.set_air(air);
         for (const Member& member : members) {
             const Class& leaves = classes_[member.number];
             for (std::size_t i = 0; i < points_of(leaves); ++i)
@@ -137,8 +139,7 @@ void LeafLines::drive(const std::vector<Member>& members, const CanopyAir* airs,
         }
     }
     const LeafExchange* next = batch_.solve().data();
-    for (std::size_t a = 0; a < count; ++a) {
-        air_.set_air(airs[a]);
+    for (std::size_t a = 0; a < airs.size(); ++a) {
         driven[a] = {};
         for (const Member& member : members) {
             Class& leaves = classes_[member.number];
@@ -158,7 +159,7 @@ void LeafLines::drive(const std::vector<Member>& members, const CanopyAir* airs,
 //! Returns the canopy air that results from the fluxes of leaves in given air.
 CanopyAir LeafLines::driven(const CanopyAir& in) {
     CanopyAir result;
-    drive(all_, &in, 1, &result);
+    drive(all_, {&in, 1}, &result);
     return result;
 }
 
@@ -171,7 +172,7 @@ void LeafLines::guess_air() {
     constexpr double dt = 0.5, de = 0.05;  // steps of the secants [K, kPa]
     constexpr std::array<CanopyAir, 3> airs{CanopyAir{}, {dt, 0}, {0, de}};
     std::array<CanopyAir, airs.size()> by;
-    drive(typical_, airs.data(), airs.size(), by.data());
+    drive(typical_, airs, by.data());
     const auto& [first, warm, moist] = by;
     slopes_ = {(warm.warmer - first.warmer) / dt,
                (moist.warmer - first.warmer) / de,

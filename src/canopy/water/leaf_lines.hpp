@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "leaf_air.hpp"
@@ -121,8 +122,8 @@ class LeafLines {
     }
     void find_points(const std::vector<LeafResponse>& responses);
     void find_members();
-    void drive(const std::vector<Member>& members, const CanopyAir* airs,
-               std::size_t count, CanopyAir* driven);
+    void drive(const std::vector<Member>& members,
+               std::span<const CanopyAir> airs, CanopyAir* driven);
     CanopyAir driven(const CanopyAir& in);
     void guess_air();
     void move_air(const CanopyAir& left);

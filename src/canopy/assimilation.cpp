@@ -134,6 +134,8 @@ class Assimilation {
         const double amount =
             amount_of(LeafFlux::uptake, step) / light_.series.days;
         Weights& weights = noise_.front().weights;
+        bound_curvatures(light.scales, light.pair.moments(), light.shaded);
+        bound_curvatures(light.scales, bins.moments, light.gains);
         weigh(light.scales, light.shaded, amount, light.pair.moments(),
               weights.places, water_ ? &of_step_.places : nullptr,
               light.of_places);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "moments.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "ideotype/core/wide_vectors.hpp"
 
 namespace ideotype {
@@ -76,6 +79,25 @@ IDEOTYPE_FOR_WIDE_VECTORS void find_gains(
         value[b] = of.value;
         slope[b] = of.slope;
         curvature[b] = of.curvature;
+    }
+}
+
+IDEOTYPE_FOR_WIDE_VECTORS void bound_curvatures(const Scales& scales,
+                                                const MomentArrays& moments,
+                                                Responses& responses) {
+    const std::size_t count = moments.size();
+    const Scales by = scales;
+    const Terms<const double> of(moments);
+    const double* const value = responses.value.data();
+    double* const __restrict curvature = responses.curvature.data();
+    // Avoids division by 0.
+    constexpr double least = 1e-300;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double second =
+            by.second({0, 0, curvature[i]},
+                      {0, 0, 0, of.sun2[i], of.sun_sky[i], of.sky2[i]});
+        const double most = std::abs(value[i] * of.one[i]);
+        curvature[i] *= std::min(1., most / std::max(std::abs(second), least));
     }
 }
 

@@ -97,6 +97,12 @@ inline Expansion gain(const Expansion& shaded, const Expansion& lit,
 struct Scales {
     double of_sun, of_sky;
 
+    //! Returns the second-order term of the Taylor series of a response.
+    double second(const Expansion& at, const Moments& of) const {
+        const Moments w = weigh(at, 1);
+        return w.sun2 * of.sun2 + w.sun_sky * of.sun_sky + w.sky2 * of.sky2;
+    }
+
     //! Returns the weights of moments in the Taylor series of a response.
     Moments weigh(const Expansion& at, double times) const {
         return {times * at.value,
@@ -124,6 +130,13 @@ void add_beams(double beam, const std::vector<double>& per_beam,
 void find_gains(const Responses& shaded, const Responses& lit,
                 const std::vector<std::uint32_t>& place,
                 const std::vector<double>& beams, Responses& gains);
+
+//! Reduces curvatures so that the second-order term of each place or bin is at
+//! most as large as its response to the expected light. The response is concave
+//! and not negative, so the true term is between 0 and minus this response; few
+//! paths give rare terms far outside.
+void bound_curvatures(const Scales& scales, const MomentArrays& moments,
+                      Responses& responses);
 
 //! Computes the amounts of responses: the products of moments with
 //! Scales::weigh().

@@ -174,14 +174,28 @@ double processor_time() {
     return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+//! Returns the excess kurtosis, which is 0 for normal values and positive for
+//! heavy tails.
+double excess_kurtosis(const std::vector<double>& values) {
+    const double mean = estimate(values).mean;
+    double square = 0, fourth = 0;
+    for (const double value : values) {
+        const double deviation = (value - mean) * (value - mean);
+        square += deviation;
+        fourth += deviation * deviation;
+    }
+    return static_cast<double>(values.size()) * fourth / (square * square) - 3;
+}
+
 void print_bias(int seeds) {
     fmt::print(
         "| stand | tolerance | without correction % | corrected % | "
-        "beyond 2 s.e. | scatter / s.e. |\n|---|---|---|---|---|---|\n");
+        "beyond 2 s.e. | scatter / s.e. | excess kurtosis |\n"
+        "|---|---|---|---|---|---|---|\n");
     for (const Stands& which : stands) {
         const Canopy canopy(which);
         const Estimate truth = canopy.gross(canopy.light(5e-4, 999));
-        for (const double tolerance : {.008, .003}) {
+        for (const double tolerance : {.05, .02, .008, .003}) {
             std::vector<double> plain, corrected;
             double variance = 0, beyond = 0;
             for (int seed = 1; seed <= seeds; ++seed) {
@@ -203,10 +217,12 @@ void print_bias(int seeds) {
                         std::hypot(mean.standard_error, truth.standard_error) /
                         truth.mean);
             };
-            fmt::print("| {} | {} | {} | {} | {:.3f} | {:.2f} |\n", which.name,
-                       tolerance, against(plain), against(corrected), beyond,
+            fmt::print("| {} | {} | {} | {} | {:.3f} | {:.2f} | {:.1f} |\n",
+                       which.name, tolerance, against(plain),
+                       against(corrected), beyond,
                        estimate(corrected).standard_error *
-                           std::sqrt(seeds / variance));
+                           std::sqrt(seeds / variance),
+                       excess_kurtosis(corrected));
             std::fflush(stdout);
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,31 @@ TEST(Moments, GainsOfBinsAreThatOfEachAlone) {
     }
     // Without light of the beam the gain is the slope in the shade.
     EXPECT_EQ(step.gains.value[5], step.shaded.slope[step.place[5]]);
+}
+
+TEST(Moments, SecondOrderTermsAreAtMostAsLargeAsResponses) {
+    Step step;
+    step.gains = step.lit;
+    step.gains.curvature[3] = 0;
+    step.gains.value[4] = 0;
+    for (std::size_t b = 7; b < 20; ++b)
+        step.moments.sun2[b] = b % 2 ? 5e6 : -5e6;
+    bound_curvatures(step.scales, step.moments, step.gains);
+    int bounded = 0;
+    for (std::size_t b = 0; b < bin_count; ++b) {
+        const Moments of = step.moments.at(b);
+        const double before = step.scales.second(step.lit.at(b), of),
+                     after = step.scales.second(step.gains.at(b), of),
+                     most = step.gains.value[b] * of.one;
+        if (b == 3 || std::abs(before) <= most) {
+            EXPECT_EQ(after, b == 3 ? 0 : before) << b;
+        } else {
+            ++bounded;
+            EXPECT_NEAR(after, std::copysign(most, before), 1e-12 * most) << b;
+        }
+    }
+    EXPECT_GT(bounded, 1);
+    EXPECT_LT(bounded, bin_count / 2);
 }
 
 TEST(Moments, WeightsAndAmountsAreThatOfEachAlone) {

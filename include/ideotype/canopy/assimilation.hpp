@@ -235,8 +235,9 @@ struct LitLeaves {
 //! c has no effect to second order. Time steps with the same sun position are
 //! combinations of the same sums, so many steps cost little. The returned
 //! tallies are jackknife pseudo-values over randomisations; their scatter gives
-//! the standard error. The remaining bias is of third order: see
-//! tests/benchmark/README.md.
+//! the standard error. The second-order term of a place is bounded by its
+//! response, so that few paths give no heavy tails. The remaining bias is of
+//! third order: see tests/benchmark/README.md.
 //!
 //! @param tallies tallies with leaf light, from independent randomisations of
 //! one field; a single tally is not bias-corrected

@@ -98,6 +98,9 @@ std::vector<double> component_weights(const Campaign& campaign);
 //! replaces it as an objective.
 std::string unit_of(const Campaign& campaign, const std::string& quantity);
 
+//! Returns the unit of the value of an objective over all scenarios.
+std::string unit_of(const Campaign& campaign, const ObjectiveEntry& objective);
+
 //! Returns whether a condition holds for any objective or axis of an atlas.
 bool asks_for(const Campaign& campaign, bool (*is_of)(const std::string&));
 

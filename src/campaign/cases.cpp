@@ -124,6 +124,9 @@ Case scenario_of(const Campaign& campaign, const AxisEntries& entry,
     one.site = campaign.spec.sites[entry.site];
     if (entry.day < campaign.spec.days.size())
         one.day = campaign.spec.days[entry.day].value;
+    else if (is_over(campaign.spec, "climate"))
+        one.weight = climate_of(campaign, one).weight();
+    if (is_over(campaign.spec, "site")) one.weight *= one.site.weight;
     one.spacing = campaign.spec.spacings[entry.spacing].value;
     one.traits = campaign.spec.trait_sets[entry.traits].value;
     add_stages(campaign, one);
@@ -200,11 +203,13 @@ Case Cases::at(std::size_t i) const {
                      entry.day))
             for (const std::size_t spacing :
                  entries(axes.spacings, campaign.spec.spacings.size(),
-                         entry.spacing))
-                scenarios.push_back(scenario_of(
+                         entry.spacing)) {
+                Case scenario = scenario_of(
                     campaign,
-                    {site, day, spacing, entry.traits, entry.replicate},
-                    named));
+                    {site, day, spacing, entry.traits, entry.replicate}, named);
+                if (scenario.weight > 0)
+                    scenarios.push_back(std::move(scenario));
+            }
     Case one = scenarios.front();
     static_cast<CaseName&>(one) = named;
     one.stages.clear();

@@ -56,6 +56,7 @@ struct Case : CaseName {
     DaySpan day{};  //!< day, if the case has no climate
     Spacing spacing{};
     TraitSet traits{};
+    double weight = 1;  //!< weight among the scenarios of a case
     //! The scenarios in which each plant is evaluated, all with the random
     //! numbers of the case. If empty, the case itself is the only scenario.
     std::vector<Case> scenarios{};

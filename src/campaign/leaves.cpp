@@ -308,6 +308,34 @@ void check_water(const Spec& spec, const Problems& problems) {
     }
 }
 
+void check_prices(const Spec& spec, const Problems& problems) {
+    if (!spec.prices) return;
+    const Prices& prices = *spec.prices;
+    const Problems of_prices = problems.in("prices");
+    const bool fills =
+        spec.plant.crop.grain && plants_grow(spec) && spec.components.empty();
+    of_prices.rule({"grain"}, !fills,
+                   "prices are given (the margin needs grain: plants that "
+                   "grow, alone, of a crop file with [grain]); add these, or "
+                   "remove [prices]");
+    of_prices.rule({"water"}, prices.water > 0 && !spec.soil,
+                   "prices.water is {} (irrigation needs soil that dries); add "
+                   "[soil], or remove the price",
+                   prices.water);
+    of_prices.rule({"electricity"},
+                   prices.electricity > 0 && spec.panels.empty(),
+                   "prices.electricity is {} (there are no panels); add "
+                   "[[panel]], or remove the price",
+                   prices.electricity);
+    of_prices.rule({"electricity"},
+                   prices.electricity > 0 && !spec.panels.empty() &&
+                       !followed_bands(spec)[nir_band],
+                   "prices.electricity is {} (modules also convert near "
+                   "infrared light, which is not traced); add [[band]] with "
+                   "name = \"nir\", or remove the price",
+                   prices.electricity);
+}
+
 void check_soil(const Spec& spec, const Problems& problems) {
     const Problems of_irrigation = problems.in("irrigation");
     if (spec.irrigation) {
@@ -360,7 +388,7 @@ void check_soil(const Spec& spec, const Problems& problems) {
         const auto& [name, climate] = spec.climates[c];
         if (!climate.grows()) continue;
         for (const SiteWeather& weather : spec.weathers)
-            problems.in("climate", c)
+            problems.in("climate", climate.table)
                 .rule(
                     {"rain"}, weather.climate == name && weather.rain.empty(),
                     "climate \"{}\" has no rain (which [soil] needs); name its "

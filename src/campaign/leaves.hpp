@@ -34,6 +34,9 @@ void check_leaf_models(const Spec& spec, const Problems& problems);
 Stomata to_stomata(const WaterSpec& table,
                    const Photosynthesis& photosynthesis);
 
+//! Reports prices of what the campaign does not compute.
+void check_prices(const Spec& spec, const Problems& problems);
+
 //! Reports what soil that dries requires, and contradictions of [soil] and
 //! [irrigation].
 void check_soil(const Spec& spec, const Problems& problems);

@@ -161,6 +161,13 @@ std::string unit_of(const Campaign& campaign, const std::string& quantity) {
     return is_ratio ? "1" : unit_of(quantity);
 }
 
+std::string unit_of(const Campaign& campaign, const ObjectiveEntry& objective) {
+    return campaign.spec.objective.across == Across::probability &&
+                   !campaign.spec.objective.over.empty()
+               ? "1"
+               : unit_of(campaign, objective.quantity);
+}
+
 bool asks_for(const Campaign& campaign, bool (*is_of)(const std::string&)) {
     return std::ranges::any_of(objectives_of(campaign), is_of,
                                &ObjectiveEntry::quantity) ||

@@ -125,25 +125,36 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
     }
 }
 
+//! Returns the path of the weather file of a year.
+std::string in_year(std::string path, int year) {
+    constexpr std::string_view mark = "{year}";
+    for (auto at = path.find(mark); at != std::string::npos;
+         at = path.find(mark))
+        path.replace(at, mark.size(), std::to_string(year));
+    return path;
+}
+
 struct WeathersReader {
     const std::string& campaign_file;
     TextSource source;
     Spec& spec;
     const Problems& problems;
     std::set<std::string> reported{};
+    std::string last_path{};
+    FileText last_file{};
 
     void read() {
         for (std::size_t i = 0; i < spec.weathers.size(); ++i)
             check_weather(spec.weathers[i], problems.in("weather", i));
         std::vector<SiteWeather> weathers;
-        for (std::size_t c = 0; c < spec.climates.size(); ++c) {
-            const Problems of_climate = problems.in("climate", c);
-            const auto& [name, climate] = spec.climates[c];
+        for (const NamedClimate& named : spec.climates) {
+            const auto& [name, climate] = named;
+            const Problems of_climate = problems.in("climate", climate.table);
             if (!check_climate(climate, of_climate)) continue;
             for (std::size_t s = 0; s < spec.sites.size(); ++s)
                 if (!has(spec.sites[s].name, name))
-                    read(spec.sites[s], spec.climates[c],
-                         problems.in("site", s), of_climate, weathers);
+                    read(spec.sites[s], named, problems.in("site", s),
+                         of_climate, weathers);
         }
         for (SiteWeather& each : weathers)
             spec.weathers.push_back(std::move(each));
@@ -183,9 +194,13 @@ struct WeathersReader {
         const bool is_of_site = climate.file.empty();
         const Problems& of_file = is_of_site ? of_site : of_climate;
         const std::string key = is_of_site ? "weather" : "file";
-        const std::string path =
-            path_from(campaign_file, is_of_site ? site.weather : climate.file);
-        const FileText file = read_file(path, most_data_bytes);
+        const std::string path = path_from(
+            campaign_file, in_year(is_of_site ? site.weather : climate.file,
+                                   climate.period.from.year));
+        // Years may share a file.
+        if (path != last_path)
+            last_file = read_file(last_path = path, most_data_bytes);
+        const FileText& file = last_file;
         if (!file.is_there)
             return of_file.add(key, ProblemCode::file,
                                "{}; give a path relative to this file",

@@ -215,9 +215,8 @@ std::string ProgressLog::time_left() const {
 std::string ProgressLog::best_of(const Entry& entry) const {
     return fmt::format(
         "best about {}{}",
-        with_unit(
-            format(entry.best.value()),
-            unit_of(campaign_, objectives_of(campaign_).front().quantity)),
+        with_unit(format(entry.best.value()),
+                  unit_of(campaign_, objectives_of(campaign_).front())),
         entry.hypervolume ? ", hypervolume " + format(*entry.hypervolume) : "");
 }
 

@@ -2,6 +2,7 @@
 #include "reader.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -21,6 +22,16 @@ namespace {
 //! Returns whether a file is a crop file: it describes leaves but no site.
 bool is_plant(const toml::table& top) {
     return top.contains("leaf") && !top.contains("site");
+}
+
+//! Returns a date some years later; 29 February becomes the 28th in years
+//! without it.
+Date in_year(Date date, int later) {
+    date.year += later;
+    using namespace std::chrono;
+    if (date.month == 2 && date.day == 29 && !year{date.year}.is_leap())
+        date.day = 28;
+    return date;
 }
 
 std::string month_and_day(const Date& date) {
@@ -242,6 +253,7 @@ class SpecReader {
                 if (span.dates.size() > 1)
                     name += '-' + month_and_day(span.dates.back());
             }
+        complete_years();
         for (auto& [name, climate] : spec_.climates)
             if (name.empty())
                 name = month_and_day(climate.period.from) + '-' +
@@ -263,6 +275,42 @@ class SpecReader {
                 name = fmt::format("{}x{}", std::lround(spacing.row * 1000),
                                    std::lround(spacing.plant * 1000));
         }
+    }
+
+    //! Replaces each climate with several years by a climate for each year.
+    void complete_years() {
+        std::vector<NamedClimate> all;
+        for (std::size_t c = 0; c < spec_.climates.size(); ++c) {
+            NamedClimate& table = spec_.climates[c];
+            table.value.table = c;
+            const Climate& climate = table.value;
+            const std::size_t count = climate.weights.size();
+            const bool is_one = climate.years.empty();
+            const bool fits =
+                count <= 1 || (!is_one && count == climate.years.size());
+            problems_.in("climate", c)
+                .rule({"weights", "years"}, !fits,
+                      "climate.weights has {} values (for {} years); give one "
+                      "for each year, or one for all",
+                      count, is_one ? 1 : climate.years.size());
+            if (is_one) {
+                all.push_back(std::move(table));
+                continue;
+            }
+            for (std::size_t y = 0; y < climate.years.size(); ++y) {
+                const int year = static_cast<int>(climate.years[y]);
+                NamedClimate& one = all.emplace_back(table);
+                one.name +=
+                    (one.name.empty() ? "" : "_") + std::to_string(year);
+                one.value.years.clear();
+                if (count > 1 && fits) one.value.weights = {climate.weights[y]};
+                const int later = year - climate.period.from.year;
+                for (Date* date : {&one.value.period.from, &one.value.period.to,
+                                   &one.value.emergence})
+                    if (date->year > 0) *date = in_year(*date, later);
+            }
+        }
+        spec_.climates = std::move(all);
     }
 
     const std::string& file_;

@@ -12,6 +12,7 @@
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/canopy/panels.hpp"
 #include "ideotype/canopy/scene.hpp"
+#include "ideotype/canopy/season.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/sky_sampler.hpp"
 #include "ideotype/climate/weather.hpp"
@@ -52,8 +53,15 @@ struct Climate {
     std::optional<double> wind_height;  //!< height above the ground [m]
     std::optional<double> co2;          //!< CO2 of the air [umol mol-1]
     Date emergence{0, 1, 1};            //!< day; year 0: plants do not grow
+    //! Years that the climate is repeated in; empty: the year of the period. A
+    //! complete specification has a climate for each year instead.
+    std::vector<double> years{};
+    //! Weight as a scenario, or that of each year; empty: 1.
+    std::vector<double> weights{};
+    std::size_t table = 0;  //!< index of the [[climate]] that describes it
 
     bool grows() const { return emergence.year > 0; }
+    double weight() const { return weights.empty() ? 1 : weights.front(); }
 };
 
 //! The weather of a site in a climate, as read from a file.
@@ -313,10 +321,12 @@ struct LightSpec {
 };
 
 //! The way in which values of several scenarios form one objective.
-enum class Across { mean, worst };
+enum class Across { mean, worst, quantile, cvar, probability };
 template <>
 inline constexpr std::array enum_names<Across>{
-    EnumName{"mean", Across::mean}, EnumName{"worst", Across::worst}};
+    EnumName{"mean", Across::mean}, EnumName{"worst", Across::worst},
+    EnumName{"quantile", Across::quantile}, EnumName{"cvar", Across::cvar},
+    EnumName{"probability", Across::probability}};
 
 //! The table [objective].
 struct ObjectiveSpec {
@@ -331,6 +341,8 @@ struct ObjectiveSpec {
     //! Names of the axes with scenarios of one case as entries.
     std::vector<std::string> over;
     Across across = Across::mean;
+    double tail = 0.2;  //!< share of the worst scenarios: quantile and cvar
+    std::optional<double> threshold{};  //!< of a probability
 };
 
 //! A limit on the first measure that a trait changes, in the unit of this
@@ -446,6 +458,7 @@ struct Spec {
     std::optional<WaterSpec> water;
     std::optional<SoilSpec> soil;  //!< none: plants have enough water
     std::optional<IrrigationSpec> irrigation;
+    std::optional<Prices> prices;  //!< none: no margin
     Constraints constraints;
     Feasibility feasibility;
     SearchSpec search;

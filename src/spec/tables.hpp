@@ -33,7 +33,7 @@ extern const Description spacing_table, field_table, variation_table;
 extern const Description panel_table, object_table, material_table, band_table;
 extern const Description optics_table, crop_optics_table;
 extern const Description photosynthesis_table, water_table;
-extern const Description soil_table, irrigation_table;
+extern const Description soil_table, irrigation_table, prices_table;
 //! The key TRAIT, which stands for each trait of a crop, read into Range.
 extern const Description own_bounds_table;
 

@@ -72,11 +72,15 @@ class AcrossScenarios {
     //! scenario, returns all its quantities.
     const QuantitySet& measured() const { return measured_; }
 
-    //! Combines the outcomes of all scenarios. Objectives are means, also by
-    //! randomisation, so that their standard errors account for common random
-    //! numbers of scenarios. Alternatively each objective is that of the worst
-    //! scenario. The violation is the largest of all scenarios. Standard errors
-    //! of other quantities are averaged, which gives an upper bound.
+    //! Combines the outcomes of all scenarios. Objectives are weighted means,
+    //! also by randomisation, so that their standard errors account for common
+    //! random numbers of scenarios. A quantile, or the mean of the worst
+    //! scenarios (conditional value at risk, Rockafellar and Uryasev 2000,
+    //! doi:10.21314/JOR.2000.038), is the mean with weights that follow from
+    //! the order of scenarios; a probability is the weight of scenarios at or
+    //! above the threshold, a mean over randomisations. The violation is the
+    //! largest of all scenarios. Standard errors of other quantities are
+    //! averaged, which gives an upper bound.
     //! @param outcomes one completed outcome for each of evaluated_cases()
     Outcome combine(const std::vector<Outcome>& each) const;
 
@@ -93,13 +97,21 @@ class AcrossScenarios {
     void combine_objective(const std::vector<Outcome>& each,
                            std::size_t objective, Outcome& all) const;
 
-    Across across_;
+    //! Returns the weights of scenarios in an objective. Empty: all are equal.
+    std::vector<double> weights(const std::vector<Outcome>& each,
+                                std::size_t objective) const;
+
+    ObjectiveSpec rule_;
+    //! Weights of scenarios, with a sum of 1. Empty: all are equal.
+    std::vector<double> weights_;
     std::vector<std::size_t> stages_;  //!< number of stages of each scenario
     //! Combination by scenario, if plants grow.
     std::vector<OverStages> over_stages_;
     std::vector<ObjectiveEntry> objectives_;
     QuantitySet measured_;
     std::vector<Shared> shared_;
+    //! Index of each further quantity by scenario, in each scenario.
+    std::vector<std::vector<std::size_t>> by_scenario_;
 };
 
 }  // namespace ideotype

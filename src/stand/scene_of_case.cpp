@@ -278,6 +278,7 @@ Details details_of(const Campaign& campaign) {
     return {.form = asks_for(campaign, is_of_form),
             .soil = campaign.spec.soil.has_value(),
             .grain = fills_grain(campaign),
+            .prices = campaign.spec.prices.has_value(),
             .lines = campaign.spec.feasibility.known_lines()};
 }
 

@@ -257,6 +257,13 @@ void Season::add_to(const Soils& soils, const std::vector<LitCanopy>& stages,
     const std::vector<StageDays> days = days_of(stages);
     if (soil_) add_water(soils, days, reports);
     if (!has_grain_) return;
+    if (campaign_.spec.prices)
+        for (std::size_t s = 0; s < stages.size(); ++s) {
+            const double share = part_of(s, stages.size());
+            reports[s].season_prices = {
+                *campaign_.spec.prices, static_cast<double>(days_.size()),
+                share / reports[s].components.front().ground_per_plant, share};
+        }
     const Plant& plant = *stages.back().scene().components.front().full_grown;
     add_grain(days, list_organs(plant).front().mass, reports);
 }

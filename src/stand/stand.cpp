@@ -69,9 +69,8 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
     schema.measured = AcrossScenarios(campaign, chosen).measured();
     schema.randomisations = static_cast<std::size_t>(accuracy.repetitions());
     for (const ObjectiveEntry& objective : objectives_of(campaign))
-        schema.objectives.push_back({objective.name,
-                                     unit_of(campaign, objective.quantity),
-                                     objective.sense});
+        schema.objectives.push_back(
+            {objective.name, unit_of(campaign, objective), objective.sense});
     return schema;
 }
 

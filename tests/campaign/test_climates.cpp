@@ -246,4 +246,63 @@ TEST(Climates, APolarDayEndsAtMidnight) {
               campaign.resolved);
 }
 
+TEST(Climates, YearsOfOneFileBecomeClimates) {
+    const auto read = [](const std::string& climate) {
+        return read_campaign_text(fmt::format(R"(
+name = "years"
+[[site]]
+name = "bondville"
+latitude = 40.05
+longitude = -88.37
+utc_offset = -6
+[[climate]]
+{}
+time = ["time"]
+stamp = "middle"
+global = ["ppfd_umol", "umol/m2/s"]
+[[spacing]]
+row = 0.76
+density = 7.5
+[plant]
+baseline = "crops/maize.toml"
+[objective]
+over = ["climate"]
+[stop]
+generations = 5
+)",
+                                              climate),
+                                  (folder / "years.toml").string());
+    };
+    const Campaign campaign = read(
+        "file = \"weather/bondville_{year}_0501_0930.csv\"\n"
+        "from = 2011-05-01\nto = 2011-05-20\nyears = [2012, 2011]\n"
+        "weights = [1, 3]");
+    ASSERT_EQ(campaign.spec.climates.size(), 2u);
+    EXPECT_EQ(campaign.spec.climates[0].name, "2012");
+    EXPECT_EQ(to_string(campaign.spec.climates[0].value.period.to),
+              "2012-05-20");
+    const Case only = cases(campaign).front();
+    ASSERT_EQ(only.scenarios.size(), 2u);
+    EXPECT_EQ(only.scenarios[0].weight, 1);
+    EXPECT_EQ(only.scenarios[1].weight, 3);
+    // The light is that of a climate for each year.
+    const Campaign of_one = read(
+        "name = \"2012\"\nfile = \"weather/bondville_2012_0501_0930.csv\"\n"
+        "from = 2012-05-01\nto = 2012-05-20");
+    expect_same(light_of(campaign, only.scenarios[0]),
+                light_of(of_one, cases(of_one).front()));
+    // A resolved campaign contains each year with its weight.
+    EXPECT_EQ(campaign.resolved.find("years ="), std::string::npos);
+    const Campaign again = parse_campaign(campaign.resolved, "again");
+    EXPECT_EQ(again.resolved, campaign.resolved);
+    EXPECT_EQ(cases(again).front().scenarios[1].weight, 3);
+    // A name comes before the years.
+    EXPECT_EQ(read("name = \"late\"\n"
+                   "file = \"weather/bondville_{year}_0501_0930.csv\"\n"
+                   "from = 2012-05-01\nto = 2012-05-20\nyears = [2011]")
+                  .spec.climates[0]
+                  .name,
+              "late_2011");
+}
+
 }  // namespace ideotype

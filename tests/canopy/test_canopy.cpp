@@ -93,9 +93,9 @@ TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
         // here require a further band (near infrared, shortwave), two
         // components (invasion), panels (their light), growth (dead leaves,
         // carbon after silking), exchange of water (seven), soil that dries
-        // (seven), or grain (four).
+        // (seven), grain (four), or prices (three).
         ASSERT_EQ(measure_numbers(report).size(),
-                  objective_names().size() + 4 - 6 - 7 - 7 - 4);
+                  objective_names().size() + 4 - 6 - 7 - 7 - 4 - 3);
         for (const auto& [quantity, estimated] : measure_numbers(report)) {
             const auto [same, values] =
                 measure_objective(quantity.name, report);

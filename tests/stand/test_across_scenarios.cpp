@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
@@ -170,6 +171,99 @@ TEST(AcrossScenarios, QuantitiesWithDifferentHoursAreNotAveraged) {
     EXPECT_TRUE(has_form(
         outcome_schema(campaign, cases(campaign).at(0), campaign.sampling),
         evaluated(campaign)));
+}
+
+//! Returns a campaign over four sites with different weights.
+Campaign over_four_sites(const std::string& how) {
+    std::string sites;
+    double weight = 1;
+    for (const int latitude : {25, 35, 55})
+        sites += fmt::format(
+            "[[site]]\nname = \"north{}\"\nlatitude = {}\nlongitude = "
+            "-100\nutc_offset = -6\nweight = {}\n",
+            latitude, latitude, weight += 1);
+    return changed(sites, "over = [\"site\"]\n" + how);
+}
+
+//! Returns the values by scenario with their weights, the worst first.
+std::vector<std::pair<double, double>> ordered(const Campaign& campaign,
+                                               const Outcome& outcome) {
+    const Case chosen = cases(campaign).at(0);
+    const QuantitySet measured =
+        outcome_schema(campaign, chosen, campaign.sampling).measured;
+    const std::size_t by = measured.offset("absorbed_par_by_scenario");
+    const std::size_t weight = measured.offset("scenario_weight");
+    std::vector<std::pair<double, double>> values;
+    for (std::size_t s = 0; s < 4; ++s)
+        values.emplace_back(outcome.quantities.at(by + s).mean,
+                            outcome.quantities.at(weight + s).mean);
+    std::ranges::sort(values);
+    return values;
+}
+
+TEST(AcrossScenarios, WeightsCountInMeansQuantilesAndTails) {
+    const Campaign over_mean = over_four_sites("");
+    const Outcome mean = evaluated(over_mean);
+    const auto values = ordered(over_mean, mean);
+    double sum = 0, weights = 0;
+    for (const auto& [value, weight] : values) {
+        sum += weight * value;
+        weights += weight;
+    }
+    EXPECT_NEAR(weights, 1, 1e-12);
+    EXPECT_NEAR(mean.objectives[0].mean, sum, 1e-9 * sum);
+    EXPECT_DOUBLE_EQ(mean.objectives[0].standard_error,
+                     estimate(mean.randomisations).standard_error);
+
+    // A tail that ends in the middle of the second scenario.
+    const double tail = values[0].second + values[1].second / 2;
+    const auto evaluated_by = [&](const std::string& rule) {
+        return evaluated(over_four_sites(fmt::format(
+            "scenarios = \"{}\"\nscenario_tail = {}\n", rule, tail)));
+    };
+    EXPECT_EQ(evaluated_by("quantile").objectives[0].mean, values[1].first);
+    const Outcome cvar = evaluated_by("cvar");
+    EXPECT_NEAR(cvar.objectives[0].mean,
+                (values[0].first * values[0].second +
+                 values[1].first * values[1].second / 2) /
+                    tail,
+                1e-9 * sum);
+    EXPECT_NEAR(estimate(cvar.randomisations).mean, cvar.objectives[0].mean,
+                1e-9 * sum);
+    // The other quantities of a row remain means.
+    EXPECT_EQ(cvar.quantities.front().mean, mean.quantities.front().mean);
+}
+
+TEST(AcrossScenarios, ProbabilityIsTheWeightOfScenariosAtOrAboveAThreshold) {
+    const Campaign over_mean = over_four_sites("");
+    const auto values = ordered(over_mean, evaluated(over_mean));
+    // The noise of light must not cross the threshold.
+    std::size_t above = 1;
+    for (std::size_t s = 2; s < values.size(); ++s)
+        if (values[s].first - values[s - 1].first >
+            values[above].first - values[above - 1].first)
+            above = s;
+    const double middle = (values[above - 1].first + values[above].first) / 2;
+    double weight = 0;
+    for (std::size_t s = above; s < values.size(); ++s)
+        weight += values[s].second;
+    const Campaign campaign = over_four_sites(fmt::format(
+        "scenarios = \"probability\"\nscenario_threshold = {}\n", middle));
+    EXPECT_NEAR(evaluated(campaign).objectives[0].mean, weight, 1e-12);
+    EXPECT_EQ(outcome_schema(campaign, cases(campaign).at(0), campaign.sampling)
+                  .objectives.front()
+                  .unit,
+              "1");
+    EXPECT_THROW(over_four_sites("scenarios = \"probability\"\n"), InputError);
+    EXPECT_THROW(over_four_sites("scenario_threshold = 1\n"), InputError);
+}
+
+TEST(AcrossScenarios, ScenariosWithoutWeightAreNotEvaluated) {
+    const Campaign campaign =
+        changed(std::string(south) + "weight = 0\n", "over = [\"site\"]\n");
+    const Case only = cases(campaign).front();
+    ASSERT_EQ(only.scenarios.size(), 1u);
+    EXPECT_EQ(only.scenarios.front().site_name, "ames");
 }
 
 }  // namespace

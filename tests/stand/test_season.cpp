@@ -218,5 +218,41 @@ TEST(Season, InterpolatedFluxesAgreeWithDirectOnes) {
     }
 }
 
+//! Prices without rounding, so that each part can be told from the others.
+constexpr Prices some_prices{200, 0.003, 0.4, 0.05, 0.2, 700};
+
+TEST(Season, MarginIsRevenueLessCosts) {
+    Campaign campaign = dry_land(15, 0.5);
+    campaign.spec.prices = some_prices;
+    const auto found = numbers(campaign);
+    EXPECT_EQ(found.count("electricity_0"), 0u);
+    // 7.5 plants m-2, all sown, are also those of missing plants.
+    EXPECT_NEAR(found.at("seeds_0"), 7.5, 1e-9);
+    const double water = 10 * found.at("irrigation_0");  // m3 ha-1
+    EXPECT_GT(water, 100);
+    EXPECT_NEAR(found.at("margin_0"),
+                200 * found.at("grain_yield_moist_0") - 0.003 * 75000 -
+                    0.4 * water - 700,
+                1e-6);
+}
+
+TEST(Season, ElectricityIsThatOfThePanelsOnAllDays) {
+    Campaign campaign = dry_land(-1);
+    campaign.spec.prices = some_prices;
+    campaign.spec.panels.emplace_back().rows = {
+        .name = "panel", .height = 4, .width = 0.5, .azimuth = 180};
+    const auto found = numbers(campaign);
+    const auto days = static_cast<double>(
+        season_days(campaign, cases(campaign).at(0)).size());
+    EXPECT_GT(found.at("panel_light_0"), 1);
+    EXPECT_NEAR(found.at("electricity_0"),
+                0.2 * days * found.at("panel_light_0") / 3.6,
+                1e-9 * found.at("electricity_0"));
+    EXPECT_NEAR(found.at("margin_0"),
+                200 * found.at("grain_yield_moist_0") - 0.003 * 75000 +
+                    0.05 * 1e4 * found.at("electricity_0") - 700,
+                1e-6);
+}
+
 }  // namespace
 }  // namespace ideotype

@@ -140,6 +140,7 @@ struct CanopyReport {
     //! Parts of the stage in the season's soil and grain, if there are any.
     std::optional<SeasonWater> season_water;
     std::optional<SeasonGrain> season_grain;
+    std::optional<SeasonPrices> season_prices;
     //! Sunlit leaf area by piece of leaf, from the same first hits of beams as
     //! assimilation.
     std::optional<SunlitReport> hit_by_sun;

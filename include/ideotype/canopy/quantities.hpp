@@ -37,7 +37,8 @@ std::vector<std::string> objective_names();
 
 //! Return whether a quantity exists only in reports with assimilation, plant
 //! form, measured lines, light in a given band, leaves that exchange heat and
-//! water, soil that dries, grain, growing plants, panels, or two components.
+//! water, soil that dries, grain, prices, growing plants, panels, or two
+//! components.
 bool is_of_assimilation(const std::string& quantity);
 bool is_of_form(const std::string& quantity);
 bool is_of_lines(const std::string& quantity);
@@ -45,9 +46,14 @@ bool is_of_band(const std::string& quantity, const std::string& band);
 bool is_of_water(const std::string& quantity);
 bool is_of_soil(const std::string& quantity);
 bool is_of_grain(const std::string& quantity);
+bool is_of_prices(const std::string& quantity);
 bool is_of_growth(const std::string& quantity);
 bool is_of_panels(const std::string& quantity);
 bool is_of_two_components(const std::string& quantity);
+
+//! The quantities that prices multiply in the margin of a season.
+inline constexpr const char* priced_quantities[] = {
+    "grain_yield_moist", "seeds", "irrigation", "electricity"};
 
 //! Returns the unit of a quantity.
 //! @throws std::out_of_range if no quantity has this name.

@@ -31,6 +31,8 @@ struct Details {
     //! Whether the soil of the season dries, and whether grain fills. Growth of
     //! each date is then reported.
     bool soil = false, grain = false;
+    //! Whether the season has prices, so that its margin is computed.
+    bool prices = false;
     //! Measured lines; their distance from the first component's plant is
     //! computed.
     std::optional<MeasuredLines> lines{};

@@ -29,4 +29,23 @@ struct SeasonGrain {
     ByDate mass_of_dates, shoot_of_dates;  //!< dry mass in the evening [kg m-2]
 };
 
+//! Prices of a season, in any currency.
+struct Prices {
+    double grain = 0;                //!< of grain with market_moisture [t-1]
+    double seed = 0;                 //!< of each plant that is sown
+    double water = 0;                //!< of irrigation [m-3]
+    double electricity = 0;          //!< of panels [kWh-1]
+    double module_efficiency = 0.2;  //!< electricity over light on panels
+    double other = 0;                //!< of all other costs [ha-1]
+};
+
+//! The part of a season's revenue and costs that one stage reports. Those of
+//! the season as a whole belong to the last stage.
+struct SeasonPrices {
+    Prices prices;
+    double days = 0;   //!< days of the season
+    double seeds = 0;  //!< plants that are sown, reported by the stage [m-2]
+    double share = 0;  //!< 1 for the last stage, otherwise 0
+};
+
 }  // namespace ideotype

@@ -19,6 +19,7 @@ struct Site {
     double elevation = 0;        //!< height above sea level [m]
     double linke_turbidity = 3;  //!< from 2, very clear, to 7, hazy [-]
     std::string weather{};       //!< name of the weather file, if any
+    double weight = 1;           //!< weight among other sites
 };
 
 //! A day of the Gregorian calendar.

@@ -262,6 +262,7 @@ BaselineDoubts check_spec(const Spec& spec, const Problems& problems) {
     check_leaf_models(spec, problems);
     check_water(spec, problems);
     check_soil(spec, problems);
+    check_prices(spec, problems);
     const BaselineDoubts doubts = check_breeding(spec, problems);
     check_feasibility(spec, problems);
     if (spec.plant.crop.is_known && problems.empty())

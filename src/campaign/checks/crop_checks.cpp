@@ -203,16 +203,16 @@ void check_growing(const Spec& spec, const Problems& problems) {
     const auto& climates = spec.climates;
     const bool grows = plants_grow(spec);
     check_stage(spec, problems);
-    for (std::size_t i = 0; i < climates.size(); ++i) {
-        const Problems of_climate = problems.in("climate", i);
-        if (climates[i].value.grows())
-            check_emergence(spec, climates[i], of_climate);
+    for (const NamedClimate& climate : climates) {
+        const Problems of_climate = problems.in("climate", climate.value.table);
+        if (climate.value.grows())
+            check_emergence(spec, climate, of_climate);
         else
             of_climate.rule(
                 {"name", "emergence"}, grows,
                 "climate \"{}\" has no emergence (plants grow in another "
                 "climate); give emergence to each",
-                climates[i].name);
+                climate.name);
     }
     if (grows) check_whorl(spec.plant.crop, problems.in("plant.baseline"));
     for (std::size_t i = 0; i < spec.components.size(); ++i) {

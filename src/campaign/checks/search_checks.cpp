@@ -49,6 +49,7 @@ void check_quantities(const Spec& spec, const Problems& problems) {
          !spec.plant.crop.grain || !plants_grow(spec) ||
              !spec.components.empty(),
          "needs grain: plants that grow, alone, of a crop file with [grain]"},
+        {is_of_prices, !spec.prices, "needs prices; add [prices]"},
         {is_of_lines, spec.feasibility.lines.traits.empty(),
          "is a distance from measured lines (this campaign has none); add "
          "[feasibility] with lines = \"FILE.toml\""},
@@ -149,6 +150,33 @@ void check_scenarios(const Spec& spec, const Problems& problems) {
                   "objective.over has \"{}\" (this campaign has [[{}]]); use "
                   "that, or remove it",
                   wrong, has_days ? "day" : "climate");
+    const ObjectiveSpec& objective = spec.objective;
+    const bool is_probability = objective.across == Across::probability;
+    problems.rule(ProblemCode::missing, {"objective.scenarios"},
+                  is_probability && !objective.threshold,
+                  "objective.scenarios is \"probability\" (of a value at or "
+                  "above a threshold, which is missing); add "
+                  "scenario_threshold");
+    problems.rule({"objective.scenario_threshold", "objective.scenarios"},
+                  !is_probability && objective.threshold.has_value(),
+                  "objective.scenario_threshold is {} (only the scenarios "
+                  "\"probability\" have one); remove it, or set scenarios",
+                  objective.threshold.value_or(0));
+    // A case that has only weightless scenarios would have no mean.
+    const auto has_weight = [](const auto& list, const auto& weight) {
+        return list.empty() || std::ranges::any_of(list, [&](const auto& each) {
+                   return weight(each) > 0;
+               });
+    };
+    problems.rule(
+        {"site[0].weight"},
+        !has_weight(spec.sites, [](const Site& x) { return x.weight; }),
+        "no site has a weight above 0; give one to each that counts");
+    problems.rule(
+        {"climate[0].weights"},
+        !has_weight(spec.climates,
+                    [](const NamedClimate& x) { return x.value.weight(); }),
+        "no climate has a weight above 0; give one to each that counts");
 }
 
 //! Reports populations and numbers of generations that are too small for a

@@ -54,8 +54,9 @@ struct Scope {
     bool grows = false;
     bool has_water = false;
     bool has_living_organs = false;
-    bool has_soil = false;   //!< whether the season has soil that dries
-    bool has_grain = false;  //!< whether the season has grain
+    bool has_soil = false;    //!< whether the season has soil that dries
+    bool has_grain = false;   //!< whether the season has grain
+    bool has_prices = false;  //!< whether the season has prices
 
     bool has_band(const std::string& name) const {
         return std::find(bands.begin(), bands.end(), name) != bands.end();
@@ -79,6 +80,10 @@ struct Declaration {
 
 //! Returns the quantities of a canopy in the order of their columns.
 std::vector<const Declaration*> declared(const Scope& scope);
+
+//! Returns the light on both sides of panels in all bands, per area of ground
+//! [MJ m-2 day-1].
+Randomised light_on_panels(const CanopyReport& report);
 
 //! Returns whether any object is a panel.
 template <class Object>

@@ -13,20 +13,6 @@ bool has_objects(const Scope& scope) {
     return scope.has_objects;
 }
 
-//! Sums the light on both sides of panels over all bands, per area of ground.
-Randomised light_on_panels(const CanopyReport& report) {
-    std::vector<double> sums(report.randomisations());
-    for (const BandReport& band : report.bands)
-        for (std::size_t side = 0; side < band.objects.size(); ++side) {
-            const ObjectReport& object = report.objects[side / 2];
-            if (!object.is_panel) continue;
-            for (std::size_t r = 0; r < sums.size(); ++r)
-                sums[r] += object.area_index / joule_per_megajoule *
-                           band.objects[side].by_randomisation[r];
-        }
-    return known_to(0, std::move(sums));
-}
-
 //! Returns the light incident on the ground, computed from the light it
 //! absorbs; 0 if it absorbs none.
 Estimate on_ground(const BandReport& band, const Estimate& absorbed) {
@@ -68,6 +54,19 @@ Values object_light_by_hour(const CanopyReport& report) {
 }
 
 }  // namespace
+
+Randomised light_on_panels(const CanopyReport& report) {
+    std::vector<double> sums(report.randomisations());
+    for (const BandReport& band : report.bands)
+        for (std::size_t side = 0; side < band.objects.size(); ++side) {
+            const ObjectReport& object = report.objects[side / 2];
+            if (!object.is_panel) continue;
+            for (std::size_t r = 0; r < sums.size(); ++r)
+                sums[r] += object.area_index / joule_per_megajoule *
+                           band.objects[side].by_randomisation[r];
+        }
+    return known_to(0, std::move(sums));
+}
 
 std::vector<Declaration> object_quantities() {
     return {

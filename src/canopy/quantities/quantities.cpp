@@ -46,7 +46,7 @@ namespace {
 
 const Scope everything = [] {
     Scope all{2,    {},   true, true, true, true, true,
-              true, true, true, true, true, true};
+              true, true, true, true, true, true, true};
     for (const Waveband& each : wavebands) all.bands.push_back(each.name);
     return all;
 }();
@@ -64,7 +64,8 @@ Scope scope_of(const CanopyReport& report) {
             report.water.has_value(),
             report.has_living_organs,
             report.season_water.has_value(),
-            report.season_grain.has_value()};
+            report.season_grain.has_value(),
+            report.season_prices.has_value()};
 }
 
 std::vector<const Declaration*> declared(const CanopyReport& report) {
@@ -166,6 +167,10 @@ bool is_of_soil(const std::string& quantity) {
 
 bool is_of_grain(const std::string& quantity) {
     return needs(quantity, [](Scope& scope) { scope.has_grain = false; });
+}
+
+bool is_of_prices(const std::string& quantity) {
+    return needs(quantity, [](Scope& scope) { scope.has_prices = false; });
 }
 
 bool is_of_growth(const std::string& quantity) {

@@ -25,7 +25,8 @@ Scope scope_of(const Scene& scene, const Details& details) {
             scene.water.has_value(),
             scene.has_living_organs(),
             details.soil,
-            details.grain};
+            details.grain,
+            details.prices};
 }
 
 Axis layer_axis(const Layers& layers) {

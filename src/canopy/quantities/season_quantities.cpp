@@ -17,6 +17,14 @@ bool has_grain(const Scope& scope) {
     return scope.has_grain;
 }
 
+bool has_prices(const Scope& scope) {
+    return scope.has_prices;
+}
+
+bool has_priced_panels(const Scope& scope) {
+    return scope.has_prices && scope.has_panels;
+}
+
 Randomised randomised(const ByRandomisation& values, double factor = 1) {
     return scaled(Randomised{estimate(values), values}, factor);
 }
@@ -52,6 +60,57 @@ TakeNumbers grain(ByDate SeasonGrain::*part) {
     return [=](const CanopyReport& report) {
         return of_dates((*report.season_grain).*part, tonnes_per_hectare);
     };
+}
+
+//! Returns a number of each randomisation.
+template <class Number>
+Randomised by_randomisation(const CanopyReport& report, const Number& number) {
+    ByRandomisation values;
+    for (std::size_t r = 0; r < report.randomisations(); ++r)
+        values.push_back(number(r));
+    return randomised(values);
+}
+
+std::optional<Randomised> seeds(const CanopyReport& report) {
+    return by_randomisation(
+        report, [&](std::size_t) { return report.season_prices->seeds; });
+}
+
+//! Returns the electricity of panels in the season [kWh m-2].
+Randomised electricity_of(const CanopyReport& report) {
+    constexpr double megajoule_per_kilowatt_hour = 3.6;
+    const SeasonPrices& season = *report.season_prices;
+    const Randomised light = light_on_panels(report);
+    return by_randomisation(report, [&](std::size_t r) {
+        return season.prices.module_efficiency * season.days *
+               light.by_randomisation[r] / megajoule_per_kilowatt_hour;
+    });
+}
+
+std::optional<Randomised> electricity(const CanopyReport& report) {
+    return electricity_of(report);
+}
+
+//! Returns the revenue of grain and electricity less all costs [ha-1].
+std::optional<Randomised> margin(const CanopyReport& report) {
+    constexpr double hectare = 1e4;           // m2
+    constexpr double litres_per_tonne = 1e3;  // kg of water per m3
+    const SeasonPrices& season = *report.season_prices;
+    const Prices& price = season.prices;
+    const Randomised power =
+        has_panels(report.objects) ? electricity_of(report) : Randomised{};
+    return by_randomisation(report, [&](std::size_t r) {
+        double sum = price.grain * tonnes_per_hectare / (1 - market_moisture) *
+                         report.season_grain->mass[r] -
+                     price.seed * hectare * season.seeds -
+                     price.other * season.share;
+        if (report.season_water)
+            sum -= price.water * hectare / litres_per_tonne *
+                   report.season_water->irrigation[r];
+        if (!power.by_randomisation.empty())
+            sum += price.electricity * hectare * power.by_randomisation[r];
+        return sum;
+    });
 }
 
 }  // namespace
@@ -121,6 +180,21 @@ std::vector<Declaration> season_quantities() {
                         &Yield::mass_of_dates),
         of_grain_by_day("shoot_by_day", "dry mass of the shoot in the evening",
                         &Yield::shoot_of_dates),
+        {{"seeds", "m-2", "plants that are sown per ground area"},
+         MeanOver::nothing,
+         TakeNumber(seeds),
+         has_prices},
+        {{"electricity", "kWh m-2",
+          "electricity of panels on all days of the season, per ground area"},
+         MeanOver::nothing,
+         TakeNumber(electricity),
+         has_priced_panels},
+        {{"margin", "currency ha-1",
+          "revenue of grain and of electricity less the costs of seed, of "
+          "irrigation and of all else, by [prices]"},
+         MeanOver::nothing,
+         TakeNumber(margin),
+         has_prices},
     };
 }
 

@@ -210,7 +210,7 @@ Json season_of(const Campaign& campaign, const Case& chosen,
     const std::vector<ObjectiveEntry> objectives = objectives_of(campaign);
     for (std::size_t k = 0; k < objectives.size(); ++k) {
         Json& one = season[objectives[k].name] = to_json(outcome.objectives[k]);
-        one["unit"] = unit_of(campaign, objectives[k].quantity);
+        one["unit"] = unit_of(campaign, objectives[k]);
     }
     const AcrossScenarios across(campaign, chosen);
     for (const Quantity& each : across.measured().quantities) {

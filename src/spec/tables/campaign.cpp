@@ -158,7 +158,9 @@ constexpr Key objective_keys[] = {
     key<&ObjectiveSpec::sole>("sole", numbers(1e-06, 1e6), none("[1.1, 0.9]"), "values of the objective, in its unit, of sole stands of the plant of [plant] and of each [[component]]: the objective is then the land equivalent ratio, the sum of their values over these"),
     key<&ObjectiveSpec::sole_errors>("sole_errors", numbers(0, 1e6), none("[0.002, 0.001]"), "standard errors of `sole`, which `evaluate` adds to that of the ratio; all rows share them, so they cancel in differences"),
     key<&ObjectiveSpec::over>("over", axes(), usual(), "axes with entries that are scenarios, not cases: each plant is evaluated in all of them").written_if<ObjectiveSpec, has_scenarios>(),
-    key<&ObjectiveSpec::across>("scenarios", any_value, usual(), "value of each objective over scenarios: the mean, or the worst").written_if<ObjectiveSpec, has_scenarios>(),
+    key<&ObjectiveSpec::across>("scenarios", any_value, usual(), "value of each objective over scenarios: the mean; the worst; a quantile; the mean of the worst scenarios (CVaR); or the probability of a value at or above `scenario_threshold`").written_if<ObjectiveSpec, has_scenarios>(),
+    key<&ObjectiveSpec::tail>("scenario_tail", within(0.001, 1), usual(), "share of the worst scenarios, by weight: the quantile is the best of them, and the CVaR their mean").quiet(),
+    key<&ObjectiveSpec::threshold>("scenario_threshold", within(-1e9, 1e9), none("2000"), "threshold of the probability, in the unit of the objective"),
 };
 
 constexpr Key constraints_keys[] = {
@@ -359,6 +361,7 @@ constexpr Table spec_tables[] = {
     table<&Spec::water>("water", water_table),
     table<&Spec::soil>("soil", soil_table),
     table<&Spec::irrigation>("irrigation", irrigation_table),
+    table<&Spec::prices>("prices", prices_table),
     table<&Spec::constraints>("constraints", constraints_table),
     table<&Spec::feasibility>("feasibility", feasibility_table)
         .optional()

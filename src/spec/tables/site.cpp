@@ -28,7 +28,8 @@ constexpr Key site_keys[] = {
     key<&Site::utc_offset>("utc_offset", within(-12, 14, "h"), required("-5"), "offset of the local clock from UTC, including summer time"),
     key<&Site::elevation>("elevation", within(-500, 9000, "m"), usual(), "height above sea level"),
     key<&Site::linke_turbidity>("linke_turbidity", within(1, 10), usual(), "Linke turbidity of the clear sky: 2 very clear, 7 hazy"),
-    key<&Site::weather>("weather", file_path, none("\"weather/mine.csv\""), "weather file of the site, if a climate has none"),
+    key<&Site::weather>("weather", file_path, none("\"weather/mine.csv\""), "weather file of the site, if a climate has none; \"{year}\" in it is replaced by the year"),
+    key<&Site::weight>("weight", within(0, 1e6), usual(), "weight of the site where sites are scenarios").quiet(),
 };
 
 constexpr Key day_keys[] = {
@@ -41,10 +42,12 @@ constexpr Key day_keys[] = {
 
 constexpr Key climate_keys[] = {
     key<&NamedClimate::name>("name", name_text, by("months and days", "\"season\""), "name of the climate, a part of the names of cases"),
-    key<&NamedClimate::value, &Climate::file>("file", file_path, none("\"weather/mine.csv\""), "weather file of `ideotype weather`, or any CSV with the columns below"),
+    key<&NamedClimate::value, &Climate::file>("file", file_path, none("\"weather/mine.csv\""), "weather file of `ideotype weather`, or any CSV with the columns below; \"{year}\" in it is replaced by the year"),
     key<&NamedClimate::value, &Climate::period, &Period::from>("from", words("1950-01-01 .. 2100-12-31"), required("2011-07-21"), "first day of the period"),
     key<&NamedClimate::value, &Climate::period, &Period::to>("to", words("1950-01-01 .. 2100-12-31"), required("2011-09-20"), "last day of the period"),
     key<&NamedClimate::value, &Climate::emergence>("emergence", words("1950-01-01 .. 2100-12-31"), none("2011-05-15"), "date of emergence; plants then grow and age by [growth] of the crop file until maturity or the end of the period; without it they do not grow").written_if<NamedClimate, grows>(),
+    key<&NamedClimate::value, &Climate::years>("years", numbers(1950, 2100, "", "list of integers"), none("[1998, 2005, 2012]"), "years in which the period is repeated, each a climate with the dates of that year; its name ends in the year, or is the year if the table has no name"),
+    key<&NamedClimate::value, &Climate::weights>("weights", number_or_list(0, 1e6), by("1", "[0.4, 0.35, 0.25]"), "weight where climates are scenarios: of each year, or one for all").quiet(),
     key<&NamedClimate::value, &Climate::stamp>("stamp", texts("beginning", "middle", "end"), by("\"end\"; \"middle\" without time"), "part of the time step that the time of a row marks"),
     key<&NamedClimate::value, &Climate::columns, &ColumnMap::time>("time", words("columns of the file"), by("those of `ideotype weather`"), "columns of date and time: one for both, two, or year, month, day, hour and, if there is one, minute"),
     key<&NamedClimate::value, &Climate::columns, &ColumnMap::date_order>("date_order", any_value, usual(), "order of year, month and day in dates of one column"),

@@ -26,6 +26,15 @@ constexpr Key irrigation_keys[] = {
     key<&IrrigationSpec::amount>("amount", within(0, 1000, "mm"), usual(), "water of each irrigation by depletion; 0: up to field capacity"),
     key<&IrrigationSpec::limit>("limit", within(0, 100000, "mm"), usual(), "largest sum of irrigation by depletion in a season; 0: any"),
 };
+
+constexpr Key prices_keys[] = {
+    key<&Prices::grain>("grain", within(0, 1e9, "t-1"), required("190"), "price of grain with 15.5 % of water, in any currency"),
+    key<&Prices::seed>("seed", within(0, 1e6), usual("0.0035"), "price of the seed of each plant"),
+    key<&Prices::water>("water", within(0, 1e6, "m-3"), usual("0.15"), "price of irrigation"),
+    key<&Prices::electricity>("electricity", within(0, 1e6, "kWh-1"), usual("0.05"), "price of the electricity of panels"),
+    key<&Prices::module_efficiency>("module_efficiency", within(0, 1), usual(), "electricity over the light on both sides of panels; an estimate for silicon modules"),
+    key<&Prices::other>("other", within(0, 1e9, "ha-1"), usual("900"), "all other costs"),
+};
 // clang-format on
 
 }  // namespace
@@ -34,5 +43,7 @@ constinit const Description soil_table =
     describe<SoilSpec>("soil", dry_soil_keys);
 constinit const Description irrigation_table =
     describe<IrrigationSpec>("irrigation", irrigation_keys);
+constinit const Description prices_table =
+    describe<Prices>("prices", prices_keys);
 
 }  // namespace ideotype

@@ -33,6 +33,15 @@ NO_WEATHER = (
 )
 BOTH = "there are both [[climate]] and [[day]]"
 ONLY_CHECK_SEES = {
+    # Weights that are all 0, counts of lists, and tables that require others.
+    "prices.toml": {
+        "climate.weights",
+        "no site has a weight above 0; give one to each that counts",
+        "objective.scenarios",
+        "prices are given",
+        "prices.electricity",
+        "prices.water",
+    },
     "climate_and_day.toml": {BOTH},
     "climates.toml": {
         BOTH,

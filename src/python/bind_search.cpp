@@ -68,23 +68,24 @@ class Search {
     std::vector<Candidate> candidates_;
 };
 
+template <class Enum>
+Enum find_named(const std::string& what, const std::string& name) {
+    if (const auto value = value_named<Enum>(name)) return *value;
+    std::vector<std::string> names;
+    for (const auto& each : enum_names<Enum>) names.emplace_back(each.name);
+    throw Error(fmt::format("there is no {} \"{}\"; use one of {}", what, name,
+                            fmt::join(names, ", ")));
+}
+
 std::unique_ptr<Search> make_search(
     const std::string& optimizer, int population, std::uint64_t seed,
     const Genome& start, const std::vector<double>& lower,
     const std::vector<double>& upper, const std::vector<bool>& circular,
-    const std::vector<std::string>& traits, const std::vector<bool>& maximise,
+    const std::vector<std::string>& traits,
+    const std::vector<std::string>& kinds, const std::vector<bool>& maximise,
     const std::vector<std::tuple<double, double, int>>& axes) {
     SearchSettings settings;
-    const auto& known = enum_names<OptimizerKind>;
-    const auto kind = std::ranges::find(known, std::string_view(optimizer),
-                                        &EnumName<OptimizerKind>::name);
-    if (kind == known.end()) {
-        std::vector<std::string> names;
-        for (const auto& each : known) names.emplace_back(each.name);
-        throw Error(fmt::format("there is no optimizer \"{}\"; use one of {}",
-                                optimizer, fmt::join(names, ", ")));
-    }
-    settings.optimizer = kind->value;
+    settings.optimizer = find_named<OptimizerKind>("optimizer", optimizer);
     settings.population =
         population > 0 ? population
                        : usual_population(settings.optimizer, start.size());
@@ -93,7 +94,8 @@ std::unique_ptr<Search> make_search(
     SearchSpace space{{}, start, {}};
     for (std::size_t i = 0; i < start.size(); ++i)
         space.genes.push_back(
-            {"", "", lower[i], upper[i], circular[i], true, traits[i]});
+            {"", "", lower[i], upper[i], circular[i], true, traits[i], 0,
+             find_named<GeneKind>("kind of genes", kinds[i])});
     for (const bool each : maximise)
         space.senses.push_back(each ? Sense::maximise : Sense::minimise);
     return std::make_unique<Search>(settings, space, seed);

@@ -41,7 +41,8 @@ std::vector<GeneAtBound> genes_at_bounds(const GeneSpace& genes,
 void BoundCount::add(const GeneSpace& genes, const Genome& best) {
     ++searches;
     for (std::size_t i = 0; i < genes.size(); ++i) {
-        if (!genes[i].is_free || genes[i].is_circular) continue;
+        if (!genes[i].is_free || genes[i].is_circular || genes[i].is_choice())
+            continue;
         Trait& trait = trait_of(traits, genes[i].trait);
         ++trait.values;
         if (const auto bound = find_bound(genes[i], best[i]))

@@ -88,7 +88,8 @@ class Atlas : public GenerationalOptimizer {
   private:
     //! Moves a plant along the line to another plant, and slightly in random
     //! directions (Vassiliades and Mouret 2018, doi:10.1145/3205455.3205602).
-    //! Moves along the line preserve features that both parents share.
+    //! Moves along the line preserve features that both parents share. A
+    //! discrete gene is that of either parent, and sometimes another one.
     Genome make_child(const Genome& mother, const Genome& father,
                       std::uint32_t slot) {
         // Standard deviation of isotropic steps, relative to the range of a
@@ -98,12 +99,19 @@ class Atlas : public GenerationalOptimizer {
         constexpr double along_line = 0.2;
         RandomStream stream(seed_, Purpose::mutation, generation(), slot);
         const double share = along_line * stream.normal()[0];
+        RandomStream discrete(seed_, Purpose::crossover, generation(), slot);
+        const double mutation = 1. / static_cast<double>(space_.genes.size());
         Genome genome = mother;
         for (std::size_t i = 0; i < genome.size(); ++i) {
             const Gene& gene = space_.genes[i];
             const double step =
                 everywhere * (gene.upper - gene.lower) * stream.normal()[0];
-            if (gene.is_free)
+            if (gene.is_discrete() && gene.can_vary()) {
+                genome[i] = discrete.uniform() < 0.5 ? mother[i] : father[i];
+                if (discrete.uniform() < mutation)
+                    genome[i] =
+                        other_value(gene, genome[i], discrete.uniform());
+            } else if (gene.is_free)
                 genome[i] = within(
                     gene, mother[i] + step +
                               share * difference(gene, mother[i], father[i]));

@@ -24,10 +24,12 @@ double compute_spread(double u, double index, double room) {
 }
 
 //! Recombines one gene of two parents by simulated binary crossover (Deb and
-//! Agrawal 1995), along the shorter arc for a circular gene.
+//! Agrawal 1995), along the shorter arc for a circular gene. The values of a
+//! choice have no order, so the children inherit them unchanged.
 //! @param u random number in [0, 1)
 std::pair<double, double> cross(const Gene& gene, double a, double b, double u,
                                 double index) {
+    if (gene.is_choice()) return {a, b};
     const double distance = difference(gene, a, b);
     if (std::abs(distance) < 1e-14 * (gene.upper - gene.lower)) return {a, b};
     const double mean = a + distance / 2;
@@ -46,11 +48,13 @@ std::pair<double, double> cross(const Gene& gene, double a, double b, double u,
 }
 
 //! Varies one gene by a step with a polynomial density (Deb and Goyal 1996;
-//! steps bounded as in NSGA-II).
+//! steps bounded as in NSGA-II). A discrete gene always changes: a choice to
+//! any other value, an integer at least to a neighbour.
 //! @param u random number in [0, 1)
 double mutate(const Gene& gene, double value, double u, double index) {
     const double range = gene.upper - gene.lower;
     if (range == 0) return value;
+    if (gene.is_choice()) return other_value(gene, value, u);
     const double power = index + 1;
     const auto cut_off = [&](double room) {
         // Circular genes have no bound, so no step is cut off.
@@ -64,7 +68,9 @@ double mutate(const Gene& gene, double value, double u, double index) {
         const double rest = cut_off(gene.upper - value);
         step = 1 - std::pow(2 * (1 - u) + (2 * u - 1) * rest, 1 / power);
     }
-    return within(gene, value + step * range);
+    const double mutated = within(gene, value + step * range);
+    return gene.is_discrete() && mutated == value ? other_value(gene, value, u)
+                                                  : mutated;
 }
 
 }  // namespace

@@ -23,8 +23,9 @@ using Contest = std::function<Parent(RandomStream&)>;
 //! slot. Genes are recombined by simulated binary crossover (Deb and Agrawal
 //! 1995), and each crossed gene goes to either child (Deb et al. 2002).
 //! Polynomial mutation follows (Deb and Goyal 1996). On circular genes both
-//! operators act along the shorter arc. Genes that are not free keep the value
-//! of the baseline.
+//! operators act along the shorter arc. Integers are rounded; choices are
+//! inherited from either parent, and mutate to any other value. Genes that are
+//! not free keep the value of the baseline.
 class Breeder {
   public:
     Breeder(const GaSettings& settings, SearchSpace space, std::uint64_t seed);

@@ -53,8 +53,7 @@ class RandomSearch : public Optimizer {
         for (std::size_t i = 0; i < genome.size(); ++i) {
             const Gene& gene = space_.genes[i];
             if (!gene.is_free) continue;
-            const double range = gene.upper - gene.lower;
-            genome[i] = gene.lower + range * sequence_->at(point, dimension++);
+            genome[i] = value_at(gene, sequence_->at(point, dimension++));
         }
         return {std::move(genome), Origin::random};
     }
@@ -228,7 +227,7 @@ Genome random_genome(const SearchSpace& space, std::uint64_t seed,
     Genome genome = space.baseline;
     for (std::size_t i = 0; i < genome.size(); ++i) {
         const Gene& gene = space.genes[i];
-        if (gene.is_free) genome[i] = stream.uniform(gene.lower, gene.upper);
+        if (gene.is_free) genome[i] = value_at(gene, stream.uniform());
     }
     return genome;
 }

@@ -2,61 +2,13 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "gene.hpp"
 #include "outcome.hpp"
 
 namespace ideotype {
-
-//! The numbers that define a plant: one for each gene of a GeneSpace, in the
-//! gene's unit.
-using Genome = std::vector<double>;
-
-//! A trait value that the search may vary, and its range.
-struct Gene {
-    std::string name;  //!< name, for example "leaf03_length"
-    std::string unit;  //!< unit, "m" or "deg"
-    double lower = 0;
-    double upper = 0;
-    bool is_circular = false;  //!< whether upper means the same as lower
-    bool is_free = true;       //!< otherwise the gene keeps the baseline value
-    std::string trait{};       //!< trait, for example "length"
-    int leaf = 0;  //!< rank from the lowest, 1; 0 for the whole plant
-};
-
-using GeneSpace = std::vector<Gene>;
-
-//! Returns the number of free genes.
-std::size_t count_free(const GeneSpace& genes);
-
-//! Maps a value of a circular gene to [lower, upper).
-double wrapped(const Gene& gene, double value);
-
-//! Clamps a value to the range of a gene or, for a circular gene, maps it to
-//! [lower, upper).
-double within(const Gene& gene, double value);
-
-//! Returns the signed distance from a to b, along the shorter arc for a
-//! circular gene.
-double difference(const Gene& gene, double a, double b);
-
-//! Distance from a bound, relative to the range of a gene, within which a value
-//! counts as at the bound. Searches by CMA-ES approach a bound smoothly within
-//! this distance; here they end if a gene is pushed beyond its range.
-inline constexpr double bound_margin = 0.05;
-
-enum class Bound { lower, upper };
-
-//! Returns the name of a bound, for example "lower".
-const char* name_of(Bound bound);
-
-//! Returns the bound that a value has reached, if any. Genes that are circular,
-//! not free or without range have no bounds.
-std::optional<Bound> find_bound(const Gene& gene, double value);
 
 //! The row number that means "no parent", as in the first generation.
 inline constexpr std::int64_t no_parent = -1;

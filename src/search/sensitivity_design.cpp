@@ -99,8 +99,7 @@ Genome SensitivityDesign::make_row(std::uint32_t sample,
     Genome genome = space_.baseline;
     for (const std::size_t i : free_) {
         IDEOTYPE_ENSURE(point[i] >= 0 && point[i] <= 1);
-        const Gene& gene = space_.genes[i];
-        genome[i] = gene.lower + point[i] * (gene.upper - gene.lower);
+        genome[i] = value_at(space_.genes[i], point[i]);
     }
     return genome;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -23,9 +24,21 @@ double standard_deviation(const std::vector<double>& values, double mean) {
 }
 
 //! Returns the standard deviation of a gene relative to its range. For a
-//! circular gene, deviations are arcs from the mean direction.
+//! circular gene, deviations are arcs from the mean direction. For a choice, it
+//! is derived from the probability that two values differ, and is that of a
+//! uniform number if all values are equally frequent.
 double relative_spread(const Gene& gene, std::vector<double> values) {
     const double range = gene.upper - gene.lower;
+    if (gene.is_choice()) {
+        std::map<double, double> counts;
+        for (const double x : values) ++counts[x];
+        const auto size = static_cast<double>(values.size());
+        double alike = 0;
+        for (const auto& [value, count] : counts)
+            alike += count / size * (count / size);
+        const double largest = 1 - 1 / static_cast<double>(gene.count());
+        return std::sqrt((1 - alike) / largest / 12);
+    }
     if (gene.is_circular) {
         const double to_radians = 2 * std::numbers::pi / range;
         double sine = 0, cosine = 0;

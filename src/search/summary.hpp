@@ -20,8 +20,8 @@ struct GenerationSummary {
     //! Standard deviation of objective 0 over the same individuals.
     double spread = 0;
     //! Standard deviation of a gene relative to its range, averaged over free
-    //! genes; circular genes use circular statistics. It is 0.29 for uniform
-    //! values.
+    //! genes; circular genes use circular statistics, and choices the
+    //! probability that two values differ. It is 0.29 for uniform values.
     double diversity = 0;
     std::uint32_t failures = 0;
     std::uint32_t evaluations = 0;  //!< number of distinct genomes

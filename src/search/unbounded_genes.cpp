@@ -40,8 +40,8 @@ double unfold(double share) {
 
 UnboundedGenes::UnboundedGenes(const GeneSpace& genes) : genes_(genes) {
     for (std::size_t i = 0; i < genes.size(); ++i)
-        if (genes[i].is_free && genes[i].upper > genes[i].lower)
-            free_.push_back(i);
+        if (genes[i].can_vary())
+            (genes[i].is_choice() ? choices_ : free_).push_back(i);
 }
 
 std::vector<double> UnboundedGenes::to_coordinates(const Genome& genome) const {
@@ -49,10 +49,10 @@ std::vector<double> UnboundedGenes::to_coordinates(const Genome& genome) const {
     std::vector<double> coordinates;
     for (const std::size_t i : free_) {
         const Gene& gene = genes_[i];
-        const double share =
-            (genome[i] - gene.lower) / (gene.upper - gene.lower);
-        coordinates.push_back(
-            gene.is_circular ? share : unfold(std::clamp(share, 0.0, 1.0)));
+        const double share = share_of(gene, genome[i]);
+        coordinates.push_back(gene.is_circular || gene.is_discrete()
+                                  ? share
+                                  : unfold(std::clamp(share, 0.0, 1.0)));
     }
     return coordinates;
 }
@@ -70,6 +70,10 @@ Genome UnboundedGenes::to_genome(const std::vector<double>& coordinates,
         const Gene& gene = genes_[free_[k]];
         const double range = gene.upper - gene.lower;
         const double x = coordinates[k];
+        if (gene.is_discrete()) {
+            original[free_[k]] = value_at(gene, std::clamp(x, 0.0, 1.0));
+            continue;
+        }
         original[free_[k]] =
             gene.is_circular
                 ? wrapped(gene, gene.lower + (x - std::floor(x)) * range)

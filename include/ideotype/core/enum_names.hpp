@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string_view>
 
 namespace ideotype {
 
@@ -26,6 +28,14 @@ constexpr const char* name_of(Enum value) {
     for (const auto& entry : enum_names<Enum>)
         if (entry.value == value) return entry.name;
     return "";
+}
+
+//! Returns the value of an enumeration with a name, if there is one.
+template <class Enum>
+constexpr std::optional<Enum> value_named(std::string_view name) {
+    for (const auto& entry : enum_names<Enum>)
+        if (entry.name == name) return entry.value;
+    return std::nullopt;
 }
 
 }  // namespace ideotype

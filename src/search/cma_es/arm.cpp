@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arm.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "ideotype/core/random.hpp"
 #include "search/order.hpp"
 
@@ -23,7 +26,7 @@ VectorXd to_vector(const std::vector<double>& x) {
                                       static_cast<Eigen::Index>(x.size()));
 }
 
-VectorXd draw_normal(RandomStream stream, std::size_t size) {
+VectorXd draw_normal(RandomStream& stream, std::size_t size) {
     VectorXd x(static_cast<Eigen::Index>(size));
     for (Eigen::Index i = 0; i < x.size(); i += 2) {
         const auto [first, second] = stream.normal();
@@ -55,36 +58,92 @@ double average_better_half(const Population& rows,
 
 }  // namespace
 
-Candidate make_candidate(const VectorXd& point,
-                         const UnboundedGenes& coordinates,
-                         const Genome& baseline) {
-    return {coordinates.to_genome({point.begin(), point.end()}, baseline),
-            Origin::sample};
-}
-
 Arm::Arm(const UnboundedGenes& coordinates, const Genome& start,
          std::size_t population)
-    : population_(population),
-      distribution_(to_vector(coordinates.to_coordinates(start)),
-                    first_step * to_vector(coordinates.first_steps()),
-                    population) {}
+    : population_(population), coordinates_(coordinates) {
+    const GeneSpace& genes = coordinates.genes();
+    std::size_t discrete = coordinates.choices().size();
+    for (const std::size_t gene : coordinates.free())
+        if (genes[gene].is_discrete()) ++discrete;
+    if (!coordinates.free().empty())
+        numbers_.emplace(to_vector(coordinates.to_coordinates(start)),
+                         first_step * to_vector(coordinates.first_steps()),
+                         population);
+    for (std::size_t i = 0; i < coordinates.free().size(); ++i) {
+        const Gene& gene = genes[coordinates.free()[i]];
+        if (gene.is_discrete())
+            integers_.push_back({i,
+                                 static_cast<double>(gene.count()),
+                                 {gene.count(), discrete_margin(discrete)}});
+    }
+    if (coordinates.choices().empty()) return;
+    std::vector<std::vector<double>> probabilities;
+    for (const std::size_t i : coordinates.choices()) {
+        const std::size_t count = genes[i].count();
+        probabilities.emplace_back(count, 1 / static_cast<double>(count));
+    }
+    choices_.emplace(std::move(probabilities), discrete_margin(discrete));
+}
 
-const VectorXd& Arm::point(std::uint64_t seed, std::uint32_t generation,
-                           std::uint32_t slot, std::size_t plant) {
+const Arm::Point& Arm::point(std::uint64_t seed, std::uint32_t generation,
+                             std::uint32_t slot, std::size_t plant) {
     IDEOTYPE_EXPECT(plant < population_);
     points_.resize(population_);
-    VectorXd& x = points_[plant];
-    if (x.size() == 0)
-        x = distribution_.sample(
-            draw_normal(RandomStream(seed, Purpose::sample, generation,
-                                     slot + static_cast<std::uint32_t>(plant)),
-                        static_cast<std::size_t>(distribution_.mean().size())));
-    return x;
+    std::optional<Point>& drawn = points_[plant];
+    if (drawn) return *drawn;
+    drawn.emplace();
+    RandomStream stream(seed, Purpose::sample, generation,
+                        slot + static_cast<std::uint32_t>(plant));
+    if (numbers_) {
+        const VectorXd x =
+            numbers_->sample(draw_normal(stream, coordinates_.free().size()));
+        drawn->numbers.assign(x.begin(), x.end());
+    }
+    if (choices_) drawn->choices = choices_->draw(stream);
+    return *drawn;
+}
+
+Candidate Arm::make_candidate(const Point& point,
+                              const Genome& baseline) const {
+    Genome genome = coordinates_.to_genome(point.numbers, baseline);
+    for (std::size_t i = 0; i < point.choices.size(); ++i) {
+        const std::size_t gene = coordinates_.choices()[i];
+        genome[gene] = coordinates_.genes()[gene].lower +
+                       static_cast<double>(point.choices[i]);
+    }
+    return {std::move(genome), Origin::sample};
+}
+
+Candidate Arm::candidate(std::uint64_t seed, std::uint32_t generation,
+                         std::uint32_t slot, std::size_t plant,
+                         const Genome& baseline) {
+    return make_candidate(point(seed, generation, slot, plant), baseline);
+}
+
+Candidate Arm::centre(const Genome& baseline) const {
+    Point centre;
+    if (numbers_)
+        centre.numbers.assign(numbers_->mean().begin(), numbers_->mean().end());
+    if (choices_) centre.choices = choices_->mode();
+    return make_candidate(centre, baseline);
+}
+
+double Arm::extent() const {
+    double extent = 0;
+    bool has_real = false;
+    for (std::size_t i = 0; i < coordinates_.free().size(); ++i) {
+        if (coordinates_.genes()[coordinates_.free()[i]].is_discrete())
+            continue;
+        has_real = true;
+        extent = std::max(extent,
+                          numbers_->deviations()[static_cast<Eigen::Index>(i)]);
+    }
+    return has_real ? extent : std::numeric_limits<double>::infinity();
 }
 
 void Arm::grow() {
     population_ *= 2;
-    distribution_.set_population(population_);
+    if (numbers_) numbers_->set_population(population_);
     course_.clear();
 }
 
@@ -92,14 +151,42 @@ void Arm::learn(const Population& rows, const std::vector<Sense>& senses,
                 std::uint64_t seed, std::uint32_t generation,
                 std::uint32_t slot) {
     IDEOTYPE_EXPECT(rows.size() == population_);
-    const std::vector<std::uint32_t> order = ranking(rows, senses);
-    Eigen::MatrixXd ranked(distribution_.mean().size(), order.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        ranked.col(static_cast<Eigen::Index>(i)) =
-            point(seed, generation, slot, order[i]);
-    distribution_.update(ranked);
+    std::vector<Point> ranked;
+    for (const std::uint32_t i : ranking(rows, senses))
+        ranked.push_back(point(seed, generation, slot, i));
+    if (numbers_) update_numbers(ranked);
+    if (choices_) choices_->update(mapped(ranked, &Point::choices));
     points_.clear();
     course_.push_back(average_better_half(rows, senses));
+}
+
+void Arm::update_numbers(const std::vector<Point>& ranked) {
+    Eigen::MatrixXd points(numbers_->mean().size(), ranked.size());
+    for (std::size_t i = 0; i < ranked.size(); ++i)
+        points.col(static_cast<Eigen::Index>(i)) = to_vector(ranked[i].numbers);
+    // The positions of IntegerMargin are numbers of values.
+    for (Integer& integer : integers_) {
+        const auto row = static_cast<Eigen::Index>(integer.coordinate);
+        std::vector<double> positions;
+        for (std::size_t i = 0; i < ranked.size() / 2; ++i)
+            positions.push_back(points(row, static_cast<Eigen::Index>(i)) *
+                                    integer.count -
+                                0.5);
+        integer.margin.centre(positions,
+                              numbers_->mean()[row] * integer.count - 0.5);
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            points(row, static_cast<Eigen::Index>(i)) =
+                (positions[i] + 0.5) / integer.count;
+    }
+    numbers_->update(points);
+    for (Integer& integer : integers_) {
+        const auto row = static_cast<Eigen::Index>(integer.coordinate);
+        const auto [mean, deviation] = integer.margin.correct(
+            {numbers_->mean()[row] * integer.count - 0.5,
+             numbers_->deviations()[row] * integer.count});
+        numbers_->set_marginal(integer.coordinate, (mean + 0.5) / integer.count,
+                               deviation / integer.count);
+    }
 }
 
 bool Arm::gains_nothing(Sense sense) const {

@@ -50,9 +50,8 @@ class AutoSearch : public GenerationalOptimizer {
         auto arm = arms_.begin();
         for (; slot - first >= arm->population(); ++arm)
             first += static_cast<std::uint32_t>(arm->population());
-        return make_candidate(
-            arm->point(seed_, generation(), first, slot - first), coordinates_,
-            space_.baseline);
+        return arm->candidate(seed_, generation(), first, slot - first,
+                              space_.baseline);
     }
 
     //! Returns the mean plants of the running arms and of earlier cycles,
@@ -85,10 +84,7 @@ class AutoSearch : public GenerationalOptimizer {
         double value = 0;
     };
     Champion make_champion(const Arm& arm) const {
-        return {make_candidate(arm.distribution().mean(), coordinates_,
-                               space_.baseline)
-                    .genome,
-                arm.course().back()};
+        return {arm.centre(space_.baseline).genome, arm.course().back()};
     }
 
     //! Largest standard deviations, relative to the range of a gene. Below

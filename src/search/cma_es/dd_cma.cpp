@@ -53,15 +53,6 @@ using Eigen::VectorXd;
 //     D <- D exp(diag of (11) with the rates of D, over 2 b),              (13)
 //     b = 1 + max(0, sqrt(cond C) - 2).                                    (14)
 
-//! Returns the weights w' before normalisation.
-std::vector<double> make_raw_weights(std::size_t population) {
-    std::vector<double> weights(population);
-    for (std::size_t i = 0; i < population; ++i)
-        weights[i] = std::log((static_cast<double>(population) + 1) / 2) -
-                     std::log(static_cast<double>(i + 1));
-    return weights;
-}
-
 //! Returns the effective number of the weights of one sign, equation (1).
 double count_effective(const std::vector<double>& weights, double sign) {
     double sum = 0, squares = 0;
@@ -74,6 +65,15 @@ double count_effective(const std::vector<double>& weights, double sign) {
 }
 
 }  // namespace
+
+// The weights w' before normalisation.
+std::vector<double> make_raw_weights(std::size_t population) {
+    std::vector<double> weights(population);
+    for (std::size_t i = 0; i < population; ++i)
+        weights[i] = std::log((static_cast<double>(population) + 1) / 2) -
+                     std::log(static_cast<double>(i + 1));
+    return weights;
+}
 
 DdCma::Rates DdCma::compute_rates(double n, double degrees_of_freedom,
                                   const std::vector<double>& raw_weights) {
@@ -141,6 +141,18 @@ void DdCma::set_population(std::size_t population) {
 VectorXd DdCma::sample(const VectorXd& normal) const {
     IDEOTYPE_EXPECT(normal.size() == mean_.size());
     return mean_ + step_size_ * scales_.cwiseProduct(root_ * normal);
+}
+
+void DdCma::set_marginal(std::size_t coordinate, double mean,
+                         double deviation) {
+    IDEOTYPE_EXPECT(std::isfinite(mean) && deviation > 0);
+    const auto i = static_cast<Eigen::Index>(coordinate);
+    // The paths are in units of the scales.
+    const double change = deviation / (step_size_ * scales_[i]);
+    correlation_path_.steps[i] *= change;
+    scale_path_.steps[i] *= change;
+    scales_[i] *= change;
+    mean_[i] = mean;
 }
 
 void DdCma::update(const MatrixXd& ranked) {

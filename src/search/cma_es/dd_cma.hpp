@@ -8,6 +8,10 @@
 
 namespace ideotype {
 
+//! Returns the weights of the points of a generation, best first, before
+//! normalisation. Those of the worse half are negative.
+std::vector<double> make_raw_weights(std::size_t population);
+
 //! The multivariate normal distribution of dd-CMA-ES (Akimoto and Hansen 2019,
 //! doi:10.1162/evco_a_00260). Its covariance is step_size^2 D C D, with D
 //! diagonal and C a correlation matrix. D has separate learning rates, so it
@@ -32,6 +36,11 @@ class DdCma {
     //! Updates the distribution with the points of a generation [n,
     //! population], best first.
     void update(const Eigen::MatrixXd& ranked);
+
+    //! Sets the mean and the standard deviation of a coordinate, as integers
+    //! need after an update.
+    //! @param deviation standard deviation, > 0
+    void set_marginal(std::size_t coordinate, double mean, double deviation);
 
     const Eigen::VectorXd& mean() const { return mean_; }
     //! Returns the standard deviation of each coordinate.

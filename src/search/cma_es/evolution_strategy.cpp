@@ -15,25 +15,22 @@ class CmaEs : public GenerationalOptimizer {
   public:
     CmaEs(const SearchSettings& settings, SearchSpace space, std::uint64_t seed)
         : space_(std::move(space)),
-          coordinates_(space_.genes),
           seed_(seed),
-          arm_(coordinates_,
+          arm_(UnboundedGenes(space_.genes),
                settings.start.empty() ? space_.baseline : settings.start,
                static_cast<std::size_t>(settings.population)) {}
 
     std::size_t next_size() const override { return arm_.population(); }
 
     Candidate candidate(std::uint32_t slot) override {
-        return make_candidate(arm_.point(seed_, generation(), 0, slot),
-                              coordinates_, space_.baseline);
+        return arm_.candidate(seed_, generation(), 0, slot, space_.baseline);
     }
 
     //! Returns the plant at the mean of the distribution, then the best of the
     //! last generation.
     std::vector<Candidate> best(std::size_t count) const override {
         IDEOTYPE_EXPECT(count > 0);
-        std::vector<Candidate> candidates{make_candidate(
-            arm_.distribution().mean(), coordinates_, space_.baseline)};
+        std::vector<Candidate> candidates{arm_.centre(space_.baseline)};
         for (const Candidate& candidate :
              select_best(last_, count - 1, space_.senses, parents_row()))
             candidates.push_back(candidate);
@@ -47,7 +44,6 @@ class CmaEs : public GenerationalOptimizer {
     }
 
     SearchSpace space_;
-    UnboundedGenes coordinates_;
     std::uint64_t seed_;
     Arm arm_;
     Population last_;

@@ -33,6 +33,7 @@ class Search:
         seed: int = 1,
         circular: ArrayLike | None = None,
         traits: Sequence[str] | None = None,
+        kinds: Sequence[str] | None = None,
         axes: Sequence[tuple[float, float, int]] = (),
     ) -> None:
         """Begins a search.
@@ -48,6 +49,9 @@ class Search:
             [genes].
         traits: name of the trait of each gene [genes]; genes of a trait belong
             together. By default each gene is a trait.
+        kinds: kind of each gene [genes]: "real", by default; "integer", the
+            whole numbers between the bounds; or "choice", whole numbers that
+            stand for values without an order.
         axes: lower bound, upper bound and number of cells of each feature of
             an atlas, which searches for the best point of each cell; tell()
             then needs the features of points.
@@ -89,6 +93,20 @@ class Search:
             raise Error(
                 f"traits: {count} names are needed, one for each bound"
             )
+        kind_names = ["real"] * count if kinds is None else list(kinds)
+        is_discrete = np.array([kind != "real" for kind in kind_names])
+        if len(kind_names) != count or np.any(
+            is_discrete & (np.mod(bounds, 1).any(axis=0) | around.astype(bool))
+        ):
+            raise Error(
+                f"kinds: {count} names are needed, one for each bound; the "
+                "bounds of integers and choices are whole numbers, and not "
+                "circular"
+            )
+        if start is None:
+            middle = np.where(is_discrete, np.floor(middle), middle)
+        elif np.any(is_discrete & (np.mod(middle, 1) != 0)):
+            raise Error("start: integers and choices are whole numbers")
         if bool(axes) != (optimizer == "atlas") or not all(
             lower < upper and cells > 0 for lower, upper, cells in axes
         ):
@@ -115,6 +133,7 @@ class Search:
             bounds[1].tolist(),
             around.astype(bool).tolist(),
             names,
+            kind_names,
             [bool(is_max) for is_max in maximise],
             list(axes),
         )

@@ -1,17 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstdint>
+#include <sstream>
 #include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "columns.hpp"
 #include "dataset.hpp"
 #include "disk/open.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/enum_names.hpp"
+#include "ideotype/core/error.hpp"
 #include "ideotype/core/mapped.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
 
 namespace {
+
+//! Writes kinds and values of genes; nothing if all genes are real.
+void write_kinds(hid_t group, const GeneSpace& genes) {
+    if (std::none_of(genes.begin(), genes.end(),
+                     [](const Gene& gene) { return gene.is_discrete(); }))
+        return;
+    create_texts(group,
+                 {.name = "kind",
+                  .axes = {"gene"},
+                  .meaning = "real, integer or choice"},
+                 mapped(genes, [](const Gene& gene) -> std::string {
+                     return name_of(gene.kind);
+                 }));
+    create_texts(group,
+                 {.name = "values",
+                  .axes = {"gene"},
+                  .meaning = "values that lower, lower + 1, ... stand for, as "
+                             "lines of TOML; empty if the number is the value"},
+                 mapped(genes, [](const Gene& gene) {
+                     return fmt::format("{}", fmt::join(gene.values, "\n"));
+                 }));
+}
 
 void write_genes(hid_t file, const GeneSpace& genes) {
     for (const Gene& gene : genes) IDEOTYPE_EXPECT(gene.lower <= gene.upper);
@@ -25,6 +54,7 @@ void write_genes(hid_t file, const GeneSpace& genes) {
         group,
         {.name = "unit", .axes = {"gene"}, .meaning = "unit of the gene"},
         mapped(genes, &Gene::unit));
+    write_kinds(group, genes);
     // Adds a dataset with a number for each gene; `stored` has the type in the
     // file.
     const auto add = [&](const std::string& name, const std::string& meaning,
@@ -59,6 +89,18 @@ std::vector<std::string> read_texts(hid_t file, const std::string& name) {
     return dataset.read_text(0, dataset.rows());
 }
 
+GeneKind kind_of(const std::string& name) {
+    if (const auto kind = value_named<GeneKind>(name)) return *kind;
+    throw Error("genes/kind: there is no kind \"" + name + "\"");
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
 GeneSpace read_genes(hid_t file) {
     const auto names = read_texts(file, "genes/gene");
     const auto traits = read_texts(file, "genes/trait");
@@ -76,6 +118,14 @@ GeneSpace read_genes(hid_t file) {
         genes.push_back({names[i], units[i], lower[i], upper[i],
                          is_circular[i] != 0, is_free[i] != 0, traits[i],
                          leaves[i]});
+    // Files without kinds have only real genes.
+    if (!exists(file, "genes/kind")) return genes;
+    const auto kinds = read_texts(file, "genes/kind");
+    const auto values = read_texts(file, "genes/values");
+    for (std::size_t i = 0; i < genes.size(); ++i) {
+        genes[i].kind = kind_of(kinds[i]);
+        genes[i].values = lines_of(values[i]);
+    }
     return genes;
 }
 

@@ -166,8 +166,9 @@ def _draw_trait(axes: Axes, case: Case, trait: str, place: NDArray) -> None:
         label="bounds", gid=RANGE,
     )  # fmt: skip
     draw_plants(axes, case, lambda genomes: genomes[:, columns], place, 3)
-    shown = case.top(COUNT).genome[:, columns]
-    _draw_mean(axes, shown, place - 0.28 * step, is_circular)
+    if not genes.is_choice(columns[0]):
+        shown = case.top(COUNT).genome[:, columns]
+        _draw_mean(axes, shown, place - 0.28 * step, is_circular)
     # The axis limits include the bounds, and deviations that extend beyond
     # them.
     left, right = axes.dataLim.intervalx
@@ -175,6 +176,8 @@ def _draw_trait(axes: Axes, case: Case, trait: str, place: NDArray) -> None:
     axes.set_xlim(left - margin, right + margin)
     if is_circular:
         axes.set_xticks(np.linspace(left, right, 5))
+    if genes.values and (labels := genes.values[columns[0]]):
+        axes.set_xticks(range(len(labels)), labels)
     axes.set_xlabel(genes.label(trait))
 
 

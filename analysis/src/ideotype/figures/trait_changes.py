@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..common.labels import unit_label, words
 from ..history.case import Case
+from ..history.genes import Genes
 
 _DIRECTIONS = {
     "leaf.length": ("shorter", "longer"),
@@ -72,6 +73,8 @@ def measure_change(case: Case, trait: str) -> TraitChange:
         plant.row.genome[0, columns] for plant in (case.best, case.baseline)
     )
     change = best - baseline
+    if genes.is_discrete(columns[0]):
+        return _measure_step(genes, columns[0], best[0], baseline[0])
     is_circular = bool(genes.is_circular[columns].all())
     if is_circular:
         change = (change + 180) % 360 - 180
@@ -84,6 +87,23 @@ def measure_change(case: Case, trait: str) -> TraitChange:
         change, unit, find_direction_words(case, trait), is_circular
     )
     return TraitChange(trait, size, text)
+
+
+def _measure_step(
+    genes: Genes, gene: int, best: float, baseline: float
+) -> TraitChange:
+    """Returns the difference in an integer or a choice."""
+    if genes.is_choice(gene):
+        size = float(best != baseline)
+    else:
+        width = genes.upper[gene] - genes.lower[gene]
+        size = abs(best - baseline) / width
+    text = "unchanged"
+    if best != baseline:
+        text = (
+            f"{genes.text(gene, best)} instead of {genes.text(gene, baseline)}"
+        )
+    return TraitChange(genes.traits[gene], size, text)
 
 
 def describe_changes(case: Case, traits: Sequence[str]) -> str:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Counts the best plants with traits at a bound, by the rule of the program;
-src/search/population.hpp and src/run/bounds.cpp have the same constants."""
+src/search/gene.hpp and src/run/bounds.cpp have the same constants."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ _SIDES = {"lower": -1, "upper": 1}
 
 def sides(genes: Genes, genome: NDArray[np.float64]) -> NDArray[np.int64]:
     """Returns -1 for each gene at its lower bound, 1 at its upper bound, else
-    0 [genes]. Circular genes, fixed genes and genes without a range have no
-    bounds."""
+    0 [genes]. Circular genes, fixed genes, choices and genes without a range
+    have no bounds."""
     reach = MARGIN * (genes.upper - genes.lower)
-    can_be = genes.is_free & ~genes.is_circular & (reach > 0)
+    can_be = genes.have_bounds & (reach > 0)
     low = genome <= genes.lower + reach
     high = (genome >= genes.upper - reach) & ~low
     return np.where(can_be, high.astype(int) - low.astype(int), 0)
@@ -74,8 +74,7 @@ def _counted(
 ) -> Iterator[TraitAtBound]:
     sides_by_trait: dict[str, list[int]] = {}
     for genes, side in plants:
-        can_be = genes.is_free & ~genes.is_circular
-        for gene in np.flatnonzero(can_be):
+        for gene in np.flatnonzero(genes.have_bounds):
             sides_by_trait.setdefault(genes.traits[gene], []).append(
                 int(side[gene])
             )

@@ -27,7 +27,8 @@ def make_frame(histories: Sequence[History]) -> pandas.DataFrame:
     row_spacing, plant_spacing, row, generation, slot, status, origin, seconds,
     worker and violation, then quantities by name, each with its standard error
     as <name>_standard_error, and genes. A quantity with an axis has one column
-    for each label, such as "absorbed_by_leaf 3". Missing columns of a history
+    for each label, such as "absorbed_by_leaf 3". Genes that stand for values
+    of a list have these as TOML. Missing columns of a history
     are NaN. The unit of a column is .attrs["units"][column]."""
     tables = [_columns(history) for history in histories]
     parts = (
@@ -68,5 +69,9 @@ def _columns(history: History) -> dict[str, tuple[Any, str]]:
             for label, part in zip(quantity.axis.labels, values.T):
                 columns[f"{column} {label}"] = part, quantity.unit
     genes = rows.genes
-    pairs = zip(rows.genome.T, genes.units)
-    return columns | dict(zip(genes.names, pairs))
+    for i, (name, unit) in enumerate(zip(genes.names, genes.units)):
+        numbers: Any = rows.genome[:, i]
+        if genes.values and genes.values[i]:
+            numbers = [genes.text(i, number) for number in numbers]
+        columns[name] = numbers, unit
+    return columns

@@ -36,6 +36,34 @@ class Genes:
     is_free: NDArray[np.bool_]
     """Whether the search varies each gene; others keep the value of the
     baseline."""
+    kinds: tuple[str, ...] = ()
+    """The kind of each gene: "real"; "integer", the whole numbers between the
+    bounds; or "choice", whole numbers of values without an order."""
+    values: tuple[tuple[str, ...], ...] = ()
+    """The values that `lower`, `lower` + 1, ... stand for, as TOML; empty if
+    the number itself is the value."""
+
+    def is_discrete(self, gene: int) -> bool:
+        """Returns whether a gene is an integer or a choice."""
+        return bool(self.kinds) and self.kinds[gene] != "real"
+
+    def is_choice(self, gene: int) -> bool:
+        """Returns whether the values of a gene have no order."""
+        return bool(self.kinds) and self.kinds[gene] == "choice"
+
+    def text(self, gene: int, value: float, form: str = ".4g") -> str:
+        """Returns the text of a gene's value: the value that it stands for, or
+        the number."""
+        if not self.values or not self.values[gene]:
+            return format(value, form)
+        return self.values[gene][round(value - self.lower[gene])]
+
+    @property
+    def have_bounds(self) -> NDArray[np.bool_]:
+        """Whether a value of each gene can be at a bound: not of circular
+        genes, fixed ones and choices."""
+        choices = [self.is_choice(gene) for gene in range(len(self.names))]
+        return self.is_free & ~self.is_circular & ~np.array(choices, bool)
 
     def columns(self, trait: str) -> NDArray[np.int64]:
         """Returns the genes of a trait, lowest leaf or point first."""

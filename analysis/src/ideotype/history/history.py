@@ -5,6 +5,7 @@ FORMAT.md specifies the format."""
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Mapping
 from dataclasses import fields
 from functools import cached_property
 from pathlib import Path
@@ -27,6 +28,20 @@ from .rows import Evaluation, Origin, Rows, Status
 from .state import Generations, Session, State
 
 _SESSION = tuple(field.name for field in fields(Session))
+
+
+def _read_kinds(
+    genes: Mapping[str, Any],
+) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
+    """Returns kinds and values of genes; both are empty if all genes are
+    real."""
+    if "kind" not in genes:
+        return (), ()
+    texts = genes["values"].values.tolist()
+    return (
+        tuple(genes["kind"].values.tolist()),
+        tuple(tuple(text.split("\n") if text else ()) for text in texts),
+    )
 
 
 def open_history(path: str | Path) -> History:
@@ -59,6 +74,7 @@ class History:
                 genes["upper"].values,
                 genes["is_circular"].values.astype(bool),
                 genes["is_free"].values.astype(bool),
+                *_read_kinds(genes),
             )
             objectives = columns(data, "objectives")
             names = ("objective", "unit", "sense")

@@ -222,10 +222,9 @@ def _limits(known: Sequence[Case]) -> Iterator[str]:
     if len(known) == 1:
         site, day, spacing = _describe_place(first)
         keys = [
-            f"{name} = {value:.4g} {unit}"
-            for name, unit, value in zip(
-                genes.names, genes.units, first.best.row.genome[0]
-            )
+            f"{name} = {genes.text(i, first.best.row.genome[0, i])}"
+            + ("" if genes.is_choice(i) else f" {genes.units[i]}")
+            for i, name in enumerate(genes.names)
             if "." in name
         ]
         if keys:

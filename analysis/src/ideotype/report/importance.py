@@ -91,10 +91,15 @@ def _moved(
     genome: NDArray[np.float64],
     sign: int,
 ) -> NDArray[np.float64]:
-    """Returns genes changed by 10 deg or by 10 %. The percentage refers to the
+    """Returns genes changed by 10 deg, by 10 %, or to the next whole number or
+    choice. The percentage refers to the
     larger of the value and half the range, because a value that is added to a
     measure may be 0."""
     values = genome[columns]
+    lower, upper = genes.lower[columns], genes.upper[columns]
+    if genes.is_discrete(columns[0]):
+        count = upper - lower + 1
+        return lower + np.mod(values + sign - lower, count)
     if genes.units[columns[0]] == "deg":
         step = np.full(len(columns), _TURN)
     else:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "campaign.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "campaign/checks/checks.hpp"
@@ -15,38 +16,48 @@ namespace ideotype {
 
 namespace {
 
-//! Tries both ends of each varied key's range and a point in between, and
-//! reports ranges that contradict other keys. Also collects ranges that exclude
-//! the value from which a search starts.
+//! Tries values of each varied key, and reports those that contradict other
+//! keys. Also collects ranges and values that exclude the value from which a
+//! search starts.
 void try_ranges(const Spec& spec, const Problems& problems,
                 BaselineDoubts& doubts) {
-    constexpr double inner = 0.382;
     const std::string table = spec.is_study ? "sensitivity" : "search";
     const std::vector<KeyFactor>& factors =
         spec.is_study ? spec.sensitivity.keys : spec.search.keys;
     for (std::size_t i = 0; i < factors.size(); ++i) {
-        const auto& [key, range, unit, value] = factors[i];
+        const KeyFactor& factor = factors[i];
+        const bool has_range = factor.values.empty();
+        const std::string own_key = has_range ? "range" : "values";
         const Problems key_problems = problems.in(table).in("keys", i);
-        if (!spec.is_study && (value < range.lower || value > range.upper))
+        const auto [lower, upper] = bounds_of(factor);
+        if (!spec.is_study && !factor.is_known)
             doubts.outside.push_back(key_problems.problem(
-                "range", ProblemCode::contradiction,
+                own_key, ProblemCode::contradiction,
+                fmt::format("search.keys: the values of {} do not include {} "
+                            "(the value of this campaign, from which the "
+                            "search starts); add it, or change the value",
+                            factor.key, value_in(spec, factor.key))));
+        else if (!spec.is_study &&
+                 (factor.number < lower || factor.number > upper))
+            doubts.outside.push_back(key_problems.problem(
+                own_key, ProblemCode::contradiction,
                 fmt::format("search.keys: {} is {} in this campaign (outside "
                             "the range {} .. {}, but the search starts from "
                             "this value); widen the range, or change the value",
-                            key, value, range.lower, range.upper)));
-        for (const double part : {0.0, 1.0, inner}) {
-            const double at = std::lerp(range.lower, range.upper, part);
+                            factor.key, factor.number, lower, upper)));
+        for (const double number : tried_numbers(factor)) {
             Spec varied = spec;
-            set_key(varied, key, at);
+            set_keys(varied, {factor}, std::array{number});
             const Problems stand_problems(spec.name);
-            check_stand(varied, stand_problems);
+            check_variable(varied, stand_problems);
             try {
                 stand_problems.throw_if_any();
             } catch (const InputError& error) {
-                key_problems.add("range", ProblemCode::contradiction,
-                                 "{}.keys: if {} is {}, then {}", table, key,
-                                 at, error.problems().front().what);
-                break;
+                key_problems.add(own_key, ProblemCode::contradiction,
+                                 "{}.keys: if {} is {}, then {}", table,
+                                 factor.key, text_of(factor, number),
+                                 error.problems().front().what);
+                if (has_range) break;
             }
         }
     }

@@ -5,6 +5,7 @@
 
 #include "campaign.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -102,9 +103,12 @@ GeneSpace search_genes(const Campaign& campaign, const Case& chosen) {
     GeneSpace genes = gene_space(campaign, chosen);
     for (Gene& gene : genes)
         gene.is_free = gene.is_free && campaign.varied.has_traits;
-    for (const auto& [key, range, unit, value] : campaign.varied.keys)
-        genes.push_back(
-            {key, unit, range.lower, range.upper, false, true, key});
+    for (const KeyFactor& factor : campaign.varied.keys) {
+        const auto [lower, upper] = bounds_of(factor);
+        genes.push_back({factor.key, factor.unit, lower, upper, false, true,
+                         factor.key, 0, factor.kind,
+                         mapped(factor.values, &TomlValue::text)});
+    }
     return genes;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "campaign.hpp"
 #include "campaign/checks/checks.hpp"
@@ -183,7 +185,7 @@ void plan_search(Campaign& campaign) {
     // in the campaign.
     if (!search.start.empty())
         for (const KeyFactor& each : campaign.varied.keys)
-            search.start.push_back(each.value);
+            search.start.push_back(each.number);
 }
 
 }  // namespace
@@ -194,6 +196,16 @@ Campaign resolve(const Spec& spec) {
     std::erase_if(campaign.spec.constraints.traits,
                   [](const TraitConstraint& x) { return !constrains(x); });
     resolve_stand(campaign);
+    // Layers are the same for all values of varied keys.
+    for (const KeyFactor& factor :
+         spec.is_study ? spec.sensitivity.keys : spec.search.keys)
+        for (const double number : tried_numbers(factor)) {
+            Campaign varied;
+            varied.spec = spec;
+            set_keys(varied.spec, {factor}, std::array{number});
+            resolve_stand(varied);
+            campaign.reach = std::max(campaign.reach, varied.reach);
+        }
     plan_search(campaign);
     return campaign;
 }
@@ -209,13 +221,13 @@ Campaign at_keys(const Campaign& campaign, Genome& genome) {
     varied.has_light_by_row = campaign.has_light_by_row;
     varied.stop = campaign.stop;
     varied.final_rule = campaign.final_rule;
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        set_key(varied.spec, keys[i].key, genome[plain + i]);
+    set_keys(varied.spec, keys, std::span(genome).subspan(plain));
     genome.resize(plain);
     const Problems problems(campaign.spec.name);
-    check_stand(varied.spec, problems);
+    check_variable(varied.spec, problems);
     problems.throw_if_any();
     resolve_stand(varied);
+    varied.reach = campaign.reach;
     return varied;
 }
 

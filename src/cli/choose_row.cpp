@@ -10,6 +10,7 @@
 #include "run/summary.hpp"
 #include "spec/problems.hpp"
 #include "spec/reader.hpp"
+#include "spec/varied_keys.hpp"
 
 namespace ideotype {
 
@@ -82,7 +83,8 @@ ChosenRow choose_row(const std::string& path, const RowChoice& choice) {
     Genome& genome = result.row.candidate.genome;
     for (std::size_t i = 0; i < keys.size(); ++i)
         result.keys.push_back(fmt::format(
-            "{}={}", keys[i].key, genome[genome.size() - keys.size() + i]));
+            "{}={}", keys[i].key,
+            text_of(keys[i], genome[genome.size() - keys.size() + i])));
     result.campaign = at_keys(result.campaign, genome);
     result.chosen = case_of(history, result.campaign);
     result.schema =

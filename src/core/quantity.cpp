@@ -47,4 +47,18 @@ std::size_t QuantitySet::offset(const std::string& name) const {
     throw std::out_of_range("there is no quantity " + name);
 }
 
+bool has_same_axes(const Quantity& quantity, const QuantitySet& first,
+                   const QuantitySet& second) {
+    const auto namesake = std::find_if(
+        second.quantities.begin(), second.quantities.end(),
+        [&](const Quantity& other) { return other.name == quantity.name; });
+    return namesake != second.quantities.end() &&
+           namesake->axes == quantity.axes &&
+           std::all_of(quantity.axes.begin(), quantity.axes.end(),
+                       [&](const std::string& axis) {
+                           return first.axis(axis).coordinates ==
+                                  second.axis(axis).coordinates;
+                       });
+}
+
 }  // namespace ideotype

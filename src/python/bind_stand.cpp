@@ -325,7 +325,9 @@ std::unique_ptr<CaseStand> CaseStand::at_own_keys(Genome& genome) const {
 Outcome CaseStand::evaluate(const Genome& genome, const Task& task) {
     Genome plain = genome;
     if (const auto varied = at_own_keys(plain))
-        return varied->evaluate(plain, task);
+        return arranged_outcome(varied->evaluate(plain, task),
+                                varied->stand_.schema(task.is_final),
+                                stand_.schema(task.is_final));
     const Sampling sampling = sampling_of(task, campaign_, chosen_);
     OutcomeSchema schema = stand_.schema(task.is_final);
     schema.randomisations =

@@ -7,6 +7,16 @@ CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
                                  const std::string& isa)
     : campaign_(campaign), device_(isa) {}
 
+CanopyEvaluator::Place::Place(const Campaign& campaign, const Case& one)
+    : chosen(one),
+      stand(campaign, one),
+      usual_schema(stand.schema(false)),
+      final_schema(stand.schema(true)) {
+    if (campaign.varied.keys.empty()) return;
+    usual_schema = search_schema(campaign, one, campaign.sampling);
+    final_schema.measured = usual_schema.measured;
+}
+
 CanopyEvaluator::Place& CanopyEvaluator::place(std::uint32_t index) const {
     const std::lock_guard lock(mutex_);
     const auto known = places_.find(index);
@@ -16,7 +26,7 @@ CanopyEvaluator::Place& CanopyEvaluator::place(std::uint32_t index) const {
 }
 
 const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
-    return place(task.case_index).stand.schema(task.is_final);
+    return place(task.case_index).schema(task.is_final);
 }
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
@@ -34,7 +44,8 @@ Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
     const Campaign varied = at_keys(campaign_, plain);
     const Case chosen = cases(varied).at(task.case_index);
     Stand stand(varied, chosen);
-    return evaluate_in(varied, chosen, stand, plain);
+    return arranged_outcome(evaluate_in(varied, chosen, stand, plain),
+                            stand.schema(task.is_final), schema(task));
 }
 
 }  // namespace ideotype

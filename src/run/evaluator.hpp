@@ -26,11 +26,15 @@ class CanopyEvaluator : public Evaluator {
     //! A case of the campaign with its stand, which is set up once for all
     //! candidates.
     struct Place {
-        Place(const Campaign& campaign, const Case& one)
-            : chosen(one), stand(campaign, one) {}
+        Place(const Campaign& campaign, const Case& one);
+
+        const OutcomeSchema& schema(bool is_final) const {
+            return is_final ? final_schema : usual_schema;
+        }
 
         Case chosen;
         Stand stand;
+        OutcomeSchema usual_schema, final_schema;
     };
 
     //! Returns the entry of a case, which is made on first use. The call is

@@ -43,7 +43,7 @@ SearchSpace search_space(const Campaign& campaign, const Case& chosen) {
     SearchSpace space{
         search_genes(campaign, chosen), baseline_genome(campaign), {}};
     for (const KeyFactor& each : campaign.varied.keys)
-        space.baseline.push_back(each.value);
+        space.baseline.push_back(each.number);
     for (const ObjectiveEntry& objective : objectives_of(campaign))
         space.senses.push_back(objective.sense);
     return space;

@@ -48,7 +48,7 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
     header.campaign_source = campaign.source;
     header.campaign_resolved = campaign.resolved;
     header.genes = search_genes(campaign, chosen);
-    header.schema = outcome_schema(campaign, chosen, campaign.sampling);
+    header.schema = search_schema(campaign, chosen, campaign.sampling);
     header.final_randomisations =
         static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
     header.seed = chosen.seed;

@@ -70,6 +70,27 @@ std::string gain_with_lai(const History& history, const Row& baseline,
                        lai_of(history, best), lai_of(history, baseline));
 }
 
+//! Returns the values of varied keys in a plant's genome, such as ", with
+//! field.row_pattern = [1, 3]"; "" if none is varied.
+std::string varied_keys_of(const History& history, const Spec& spec,
+                           const Genome& genome) {
+    const GeneSpace& genes = history.header().genes;
+    std::vector<std::string> texts;
+    for (const KeyFactor& factor : spec.search.keys) {
+        const auto gene = std::ranges::find(genes, factor.key, &Gene::name);
+        if (gene == genes.end()) continue;
+        const double value =
+            genome.at(static_cast<std::size_t>(gene - genes.begin()));
+        texts.push_back(fmt::format(
+            "{} = {}", factor.key,
+            gene->values.empty()
+                ? with_unit(fmt::format("{:.4g}", value), gene->unit)
+                : text_of(*gene, value)));
+    }
+    return texts.empty() ? ""
+                         : fmt::format(", with {}", fmt::join(texts, ", "));
+}
+
 //! Returns a warning if the leaf area is unrealistic, else "".
 std::string doubt_of(const std::string& subject, double lai) {
     const std::string doubt = doubt_of_lai(lai);
@@ -130,8 +151,10 @@ void add_finalists(const History& history, const Spec& spec,
         result.gain =
             fmt::format("Pareto front of {} plants", finalists.size() - 1);
     } else if (finalists[0].outcome.status == Status::done) {
-        result.gain = gain_with_lai(history, finalists[0], finalists[best]) +
-                      atlas_of(history, spec, finalists);
+        result.gain =
+            gain_with_lai(history, finalists[0], finalists[best]) +
+            varied_keys_of(history, spec, finalists[best].candidate.genome) +
+            atlas_of(history, spec, finalists);
     }
     if (!spec.is_study) {
         const Genome& plant = finalists[best].candidate.genome;

@@ -92,6 +92,24 @@ Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome) {
     return failed;
 }
 
+Outcome arranged_outcome(Outcome outcome, const OutcomeSchema& own,
+                         const OutcomeSchema& other) {
+    IDEOTYPE_EXPECT(outcome.quantities.size() == own.measured.size());
+    std::vector<Estimate> arranged = unknown_outcome(other).quantities;
+    auto next = arranged.begin();
+    for (const Quantity& quantity : other.measured.quantities) {
+        const std::size_t size = other.measured.size(quantity);
+        if (has_same_axes(quantity, other.measured, own.measured))
+            std::copy_n(outcome.quantities.begin() +
+                            static_cast<std::ptrdiff_t>(
+                                own.measured.offset(quantity.name)),
+                        size, next);
+        next += static_cast<std::ptrdiff_t>(size);
+    }
+    outcome.quantities = std::move(arranged);
+    return outcome;
+}
+
 std::optional<Estimate> find(const OutcomeSchema& schema,
                              const Outcome& outcome, const std::string& name) {
     if (!schema.measured.has(name)) return std::nullopt;

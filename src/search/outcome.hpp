@@ -109,6 +109,11 @@ Outcome failed_outcome(const OutcomeSchema& schema, std::string reason);
 //! failed outcome instead; its reason names the quantity.
 Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome);
 
+//! Returns an outcome with the quantities of another schema. Those that its own
+//! schema lacks, or has along other axes, are NaN.
+Outcome arranged_outcome(Outcome outcome, const OutcomeSchema& own,
+                         const OutcomeSchema& other);
+
 //! Returns a quantity that consists of a single number, or nothing if it is
 //! missing.
 std::optional<Estimate> find(const OutcomeSchema& schema,

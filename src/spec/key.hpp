@@ -18,6 +18,7 @@
 #include "ideotype/climate/weather.hpp"
 #include "ideotype/core/enum_names.hpp"
 #include "ideotype/core/range.hpp"
+#include "spec/toml_value.hpp"
 
 //! Files are described by constant tables with one line for each key. The line
 //! states the member that stores the value, and the key's name, range, default
@@ -40,7 +41,7 @@ using Target =
                  std::optional<std::string>*, bool*, Date*,
                  std::vector<glm::dvec2>*, std::vector<Date>*, Range*,
                  std::vector<double>*, std::vector<std::string>*,
-                 std::optional<Column>*, Choice>;
+                 std::vector<TomlValue>*, std::optional<Column>*, Choice>;
 
 //! A value without an address, for which special code exists.
 struct ByHand {};
@@ -122,6 +123,9 @@ struct Key {
     bool (*is_written)(const void* record) = nullptr;
     Trial trial{};
     bool (*has_trial)(const void* record) = nullptr;  //!< none: always
+    //! Whether searches may vary the key, in a table of which they may not vary
+    //! all keys.
+    bool is_variable = false;
 
     constexpr Key with(auto Key::*member, auto value) const {
         Key key = *this;
@@ -134,6 +138,8 @@ struct Key {
     constexpr Key excluding(const char* other) const {
         return with(&Key::excludes, other);
     }
+    //! Lets searches and studies vary the key.
+    constexpr Key variable() const { return with(&Key::is_variable, true); }
     //! Makes texts omit the key if it has its default.
     constexpr Key quiet() const { return with(&Key::is_quiet, true); }
     //! Writes the key only if a condition holds.
@@ -316,6 +322,8 @@ constexpr const char* type_of() {
         return "list of numbers";
     if constexpr (std::is_same_v<Inner, std::vector<std::string>>)
         return "list of texts";
+    if constexpr (std::is_same_v<Inner, std::vector<TomlValue>>)
+        return "list of values";
     if constexpr (std::is_same_v<Inner, std::vector<glm::dvec2>>)
         return "list of [out, up]";
     return "text";
@@ -440,7 +448,7 @@ struct Table {
     bool is_optional = false;    //!< whether the table may be omitted
     std::size_t most = 1000;     //!< largest number of entries
     const char* unless = "";     //!< table that makes this table optional
-    //! Whether searches may vary numbers of the table.
+    //! Whether searches may vary all keys of the table.
     bool is_variable = false;
     //! Returns the name of a record's table. Null: all records use the same
     //! name.
@@ -464,7 +472,7 @@ struct Table {
     constexpr Table or_by(const char* other) const {
         return with(&Table::unless, other);
     }
-    //! Lets searches and studies vary the numbers of the table.
+    //! Lets searches and studies vary all keys of the table.
     constexpr Table variable() const { return with(&Table::is_variable, true); }
     template <class Parent, bool (*condition)(const Parent&)>
     constexpr Table written_if() const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -195,6 +196,16 @@ std::string kind(const toml::node& node) {
         "an integer", "a decimal number",  "true or false", "a date",
         "a time",     "a date with a time"};
     return kinds[static_cast<std::size_t>(node.type())];
+}
+
+std::string toml_of(const toml::node& node) {
+    if (const auto* number = node.as_floating_point())
+        return fmt::format("{}", number->get());
+    std::ostringstream text;
+    node.visit([&](const auto& value) { text << value; });
+    std::string line = text.str();
+    std::ranges::replace(line, '\n', ' ');
+    return line;
 }
 
 bool is_name(const std::string& text) {

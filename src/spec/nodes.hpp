@@ -23,6 +23,9 @@ Location location(const toml::source_region& source, const std::string& file);
 //! Returns the kind of a node in words: "an integer", "a table", ...
 std::string kind(const toml::node& node);
 
+//! Returns a value as TOML on one line.
+std::string toml_of(const toml::node& node);
+
 //! Returns whether a text may be part of the name of a file on any system.
 bool is_name(const std::string& text);
 

@@ -14,6 +14,7 @@
 #include "spec/nodes.hpp"
 #include "spec/table_reader.hpp"
 #include "spec/tables.hpp"
+#include "spec/varied_keys.hpp"
 
 namespace ideotype {
 
@@ -268,9 +269,8 @@ class SpecReader {
                       "which both set the distance between neighbours in a "
                       "row; remove one of them",
                       spacing.plant, spacing.density);
-            if (!has_distance && spacing.density > 0 && spacing.row > 0)
-                spacing.plant = 1 / (spacing.density * spacing.row);
             if (has_distance) spacing.density = 0;
+            spacing.follow_density();
             if (name.empty())
                 name = fmt::format("{}x{}", std::lround(spacing.row * 1000),
                                    std::lround(spacing.plant * 1000));
@@ -344,7 +344,9 @@ Spec read_spec(const std::string& text, const std::string& file,
 }
 
 Spec read_resolved(const std::string& text) {
-    return read_spec(text, "", TextSource::history, {}, false, Problems());
+    Spec spec = read_spec(text, "", TextSource::history, {}, false, Problems());
+    complete_factors(spec);
+    return spec;
 }
 
 std::string passed_over_text(const std::set<std::string>& keys) {

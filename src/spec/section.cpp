@@ -50,11 +50,30 @@ bool is_required(const Key& key, const KnownNames& known) {
 std::optional<std::vector<double>> numbers_of(const BoundKey& key) {
     const Form form = key.key.values.form;
     if (form == Form::clock || form == Form::duration) return std::nullopt;
-    if (const auto* number = std::get_if<double*>(&key.value))
-        return std::vector{**number};
-    const auto* list = std::get_if<std::vector<double>*>(&key.value);
-    if (list && key.key.values.count == any_count) return **list;
-    return std::nullopt;
+    return std::visit(
+        [&](const auto& value) -> std::optional<std::vector<double>> {
+            using Value = std::remove_cvref_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, double*> ||
+                          std::is_same_v<Value, int*> ||
+                          std::is_same_v<Value, long long*>) {
+                return std::vector{static_cast<double>(*value)};
+            } else if constexpr (std::is_same_v<Value,
+                                                std::optional<double>*> ||
+                                 std::is_same_v<Value, std::optional<int>*>) {
+                if (!*value) return std::vector<double>{};
+                return std::vector{static_cast<double>(**value)};
+            } else if constexpr (std::is_same_v<Value, std::vector<double>*>) {
+                if (key.key.values.count == any_count) return *value;
+            }
+            return std::nullopt;
+        },
+        key.value);
+}
+
+bool is_integer(const BoundKey& key) {
+    return std::holds_alternative<int*>(key.value) ||
+           std::holds_alternative<long long*>(key.value) ||
+           std::holds_alternative<std::optional<int>*>(key.value);
 }
 
 std::vector<Key> own_bounds_keys(const CropSpec& crop) {

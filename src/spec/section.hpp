@@ -43,8 +43,12 @@ std::vector<std::string> allowed_texts(const Key& key,
 //! Returns whether a key must be given.
 bool is_required(const Key& key, const KnownNames& known);
 
-//! Returns the value of a key as numbers, or nothing if it is not numeric.
+//! Returns the value of a key as numbers, or nothing if it is not numeric. A
+//! key without a value has none.
 std::optional<std::vector<double>> numbers_of(const BoundKey& key);
+
+//! Returns whether the values of a key are whole numbers.
+bool is_integer(const BoundKey& key);
 
 //! Describes the fault of a number as the value of a key; "" if it is valid.
 std::string fault_of(double value, const std::string& section, const Key& key);

@@ -22,8 +22,10 @@
 #include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
 #include "ideotype/physiology/soil_water.hpp"
+#include "search/gene.hpp"
 #include "search/settings.hpp"
 #include "search/stop_rules.hpp"
+#include "spec/toml_value.hpp"
 
 namespace ideotype {
 
@@ -382,13 +384,27 @@ struct Feasibility {
     }
 };
 
-//! A numeric key of a campaign that a search or a sensitivity study varies.
+//! A key of a campaign that a search or a sensitivity study varies: within a
+//! range of numbers, or among values of any type.
 struct KeyFactor {
     std::string key;  //!< key such as "optics.soil_albedo"
     Range range;
+    std::vector<TomlValue> values{};  //!< values instead of a range
+    GeneKind kind = GeneKind::real;
     std::string unit{};  //!< unit; "1": dimensionless
-    double value = 0;    //!< value in the campaign, or the middle of the range
+    //! Number of the gene in the campaign: the value of the key, or its entry
+    //! in `values`. A key without a value has the middle of the range, or the
+    //! first entry.
+    double number = 0;
+    bool is_known = true;  //!< whether `values` have the campaign's value
 };
+
+//! Returns the bounds of the numbers of a varied key. Those of values are their
+//! entries.
+inline Range bounds_of(const KeyFactor& factor) {
+    if (factor.values.empty()) return factor.range;
+    return {0, static_cast<double>(factor.values.size()) - 1};
+}
 
 //! The table [search].
 struct SearchSpec {

@@ -242,6 +242,14 @@ struct Reader : ValueFaults {
         if (const auto found = numbers(key.values.count)) *value = *found;
     }
 
+    void operator()(std::vector<TomlValue>* value) const {
+        const toml::array* array = node.as_array();
+        if (!array || array->empty()) return fail_type(node);
+        value->clear();
+        for (const toml::node& element : *array)
+            value->push_back({toml_of(element)});
+    }
+
     void operator()(std::vector<std::string>* value) const {
         const toml::array* array = node.as_array();
         std::vector<std::string> texts;

@@ -2,6 +2,7 @@
 #include "writer.hpp"
 
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -84,6 +85,9 @@ struct Writer {
         return key.values.count == any_count && texts->size() == 1
                    ? text
                    : '[' + text + ']';
+    }
+    std::string operator()(const std::vector<TomlValue>* values) const {
+        return '[' + listed(*values, std::mem_fn(&TomlValue::text)) + ']';
     }
     std::string operator()(const Choice& choice) const {
         const std::string name = choice.get(choice.value);

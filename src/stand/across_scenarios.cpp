@@ -38,14 +38,6 @@ double weighted_average(const std::vector<double>& values,
     return sum;
 }
 
-bool has_same_axes(const Quantity& quantity, const QuantitySet& a,
-                   const QuantitySet& b) {
-    return b.has(quantity.name) &&
-           std::ranges::all_of(quantity.axes, [&](const std::string& axis) {
-               return a.axis(axis).coordinates == b.axis(axis).coordinates;
-           });
-}
-
 }  // namespace
 
 AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)

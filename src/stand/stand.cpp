@@ -9,6 +9,7 @@
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
 #include "spec/problems.hpp"
+#include "spec/varied_keys.hpp"
 
 namespace ideotype {
 
@@ -71,6 +72,33 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
     for (const ObjectiveEntry& objective : objectives_of(campaign))
         schema.objectives.push_back(
             {objective.name, unit_of(campaign, objective), objective.sense});
+    return schema;
+}
+
+OutcomeSchema search_schema(const Campaign& campaign, const Case& chosen,
+                            const Accuracy& accuracy) {
+    OutcomeSchema schema = outcome_schema(campaign, chosen, accuracy);
+    const std::vector<KeyFactor>& keys = campaign.varied.keys;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        for (const double number : tried_numbers(keys[i])) {
+            Genome genome = baseline_genome(campaign);
+            for (std::size_t k = 0; k < keys.size(); ++k)
+                genome.push_back(k == i ? number : keys[k].number);
+            const Campaign varied = at_keys(campaign, genome);
+            const QuantitySet measured =
+                outcome_schema(varied, cases(varied).at(chosen.index), accuracy)
+                    .measured;
+            QuantitySet& shared = schema.measured;
+            std::erase_if(shared.quantities, [&](const Quantity& quantity) {
+                return !has_same_axes(quantity, shared, measured);
+            });
+        }
+    std::erase_if(schema.measured.axes, [&](const Axis& axis) {
+        return std::ranges::none_of(
+            schema.measured.quantities, [&](const Quantity& quantity) {
+                return std::ranges::count(quantity.axes, axis.name) > 0;
+            });
+    });
     return schema;
 }
 

@@ -76,6 +76,12 @@ CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy);
 
+//! Returns the schema of the rows of a search or study: that of
+//! outcome_schema() without quantities whose axes depend on varied keys of the
+//! campaign, such as those by row of the field if the number of rows varies.
+OutcomeSchema search_schema(const Campaign& campaign, const Case& chosen,
+                            const Accuracy& accuracy);
+
 //! Returns an objective or another scalar quantity. As the campaign states, an
 //! objective is for one component, weighted over components or for all plants.
 //! @throws Error if the report has no quantity of this name.

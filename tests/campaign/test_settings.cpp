@@ -272,8 +272,11 @@ TEST(Settings, VariedKeysMustBeValidOverTheirRangeAndStartWithin) {
     EXPECT_EQ(has_message("optics.soil_albedo", "[0, 0.3]"), "");
     EXPECT_THAT(has_message("optics.soil_albedo", "[0.2, 0.3]"),
                 testing::HasSubstr("is 0.1 in this campaign (outside"));
-    EXPECT_THAT(has_message("spacing.density", "[4, 10]"),
-                testing::HasSubstr("did you mean \"spacing.plant\"?"));
+    EXPECT_EQ(has_message("spacing.density", "[4, 10]"), "");
+    EXPECT_THAT(has_message("spacing.density", "[4, 8]"),
+                testing::HasSubstr("is 8.61112833337 in this campaign"));
+    EXPECT_THAT(has_message("spacing.density", "[4, 200]"),
+                testing::HasSubstr("if spacing.density is 200, then"));
     EXPECT_THAT(has_message("panel.azimuth", "[0, 360]"),
                 testing::HasSubstr("if panel.azimuth is 137.52, then"));
 }

@@ -21,6 +21,11 @@ struct Spacing {
 
     //! Returns the density of plants in these rows [m-2].
     double plants_per_area() const { return 1 / (row * plant); }
+
+    //! Derives `plant` from a density.
+    void follow_density() {
+        if (density > 0 && row > 0) plant = 1 / (density * row);
+    }
 };
 
 //! A lattice of plants that is either an infinite periodic field or an isolated

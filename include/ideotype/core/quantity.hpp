@@ -70,4 +70,10 @@ struct QuantitySet {
     std::size_t offset(const std::string& name) const;
 };
 
+//! Returns whether two sets have a quantity along the same axes, with the same
+//! coordinates.
+//! @param quantity quantity of the first set
+bool has_same_axes(const Quantity& quantity, const QuantitySet& first,
+                   const QuantitySet& second);
+
 }  // namespace ideotype

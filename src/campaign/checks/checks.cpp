@@ -229,6 +229,13 @@ void check_stand(const Spec& spec, const Problems& problems) {
     check_plant(spec.plant.crop, problems.in("plant.baseline"));
 }
 
+void check_variable(const Spec& spec, const Problems& problems) {
+    check_components(spec, problems);
+    check_growing(spec, problems);
+    check_soil(spec, problems);
+    check_stand(spec, problems);
+}
+
 BaselineDoubts check_spec(const Spec& spec, const Problems& problems) {
     problems.rule(
         ProblemCode::missing, {"name"},

@@ -26,6 +26,10 @@ BaselineDoubts check_spec(const Spec& spec, const Problems& problems);
 //! A search may vary these values by their keys.
 void check_stand(const Spec& spec, const Problems& problems);
 
+//! Checks all that may depend on keys that a search varies: check_stand(),
+//! components, growth and soil.
+void check_variable(const Spec& spec, const Problems& problems);
+
 //! Checks the values of a crop file against each other.
 void check_plant(const CropSpec& crop, const Problems& problems);
 
@@ -116,8 +120,8 @@ inline std::string quantity_of(const std::string& objective) {
 //! them.
 void check_feasibility(const Spec& spec, const Problems& problems);
 
-//! Reports varied keys that are not numeric keys of this campaign, ranges that
-//! exceed those of the keys, and contradictory settings.
+//! Reports varied keys that are not variable keys of this campaign, ranges and
+//! values that these keys do not accept, and contradictory settings.
 void check_sensitivity(const Spec& spec, const Problems& problems);
 
 //! Reports parameters that do not belong to the leaf model, and lists of the

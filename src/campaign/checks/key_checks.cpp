@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -17,52 +18,115 @@ std::string advice(const std::string& name,
                    const std::vector<VariableKey>& keys) {
     std::vector<std::string> known;
     for (const VariableKey& each : keys)
-        if (each.is_there && each.tables == 1 && numbers_of(each.key))
+        if (each.is_there && (each.tables() == 1 || each.is_shared))
             known.push_back(each.name);
-    const std::string nearest =
-        name == "spacing.density" ? "spacing.plant" : nearest_name(name, known);
-    return nearest.empty() ? "name a number of field, spacing, panel, optics, "
-                             "photosynthesis or plant.baseline"
-                           : "did you mean \"" + nearest + "\"?";
+    const std::string nearest = nearest_name(name, known);
+    return nearest.empty()
+               ? "name a key of field, spacing, panel, optics, photosynthesis, "
+                 "water, soil, irrigation or plant.baseline"
+               : "did you mean \"" + nearest + "\"?";
 }
 
 //! Returns the reason why a key cannot be varied, or "".
 std::string fault(const VariableKey& variable) {
-    if (variable.name == "spacing.density")
-        return "(which follows from spacing.plant)";
     if (!variable.is_there)
         return fmt::format("(this campaign has no [{}])", variable.section);
-    if (variable.tables > 1)
-        return fmt::format("(there are {} tables [[{}]])", variable.tables,
+    if (variable.tables() > 1 && !variable.is_shared)
+        return fmt::format("(there are {} tables [[{}]])", variable.tables(),
                            variable.section);
+    if (!is_alike(variable))
+        return fmt::format(
+            "(the scenarios of [[{}]] differ in it, but would all have the "
+            "varied value)",
+            variable.section);
+    return "";
+}
+
+//! Returns the reason why the key cannot be varied in a range, or "".
+std::string fault_of_range(const VariableKey& variable) {
     const auto numbers = numbers_of(variable.key);
     if (!numbers)
-        return fmt::format("(of type {}; only decimal numbers vary)",
+        return fmt::format("(of type {}; only numbers have a range)",
                            variable.key.key.values.type);
     if (numbers->size() > 1)
         return fmt::format("(which has {} values)", numbers->size());
     return "";
 }
 
+void check_range(const std::string& table, const KeyFactor& factor,
+                 const VariableKey& variable, const Problems& problems) {
+    problems.rule(
+        {"range", "values", "key"}, !(factor.range.lower < factor.range.upper),
+        "{}.keys does not say how {} varies (there is no range and there are "
+        "no values); add {}",
+        table, factor.key,
+        fault_of_range(variable).empty() ? "range = [lower, upper]"
+                                         : "values = [one, another]");
+    problems.rule(
+        ProblemCode::wrong_type, {"range", "key"},
+        [&] { return !fault_of_range(variable).empty(); },
+        "{}.keys has a range of \"{}\" {}; list values = [one, another]", table,
+        factor.key, fault_of_range(variable));
+    const auto [lower, upper] = factor.range;
+    problems.rule(
+        ProblemCode::wrong_type, {"range", "key"},
+        is_integer(variable.key) &&
+            (lower != std::round(lower) || upper != std::round(upper)),
+        "{}.keys: the range of {} is [{}, {}] (but its values are whole "
+        "numbers); use [{}, {}]",
+        table, factor.key, lower, upper, std::ceil(lower), std::floor(upper));
+    for (const double bound : {lower, upper})
+        problems.rule(
+            {"range", "key"},
+            [&] { return fault_of(bound, variable.section, variable.key.key); },
+            ProblemCode::out_of_range);
+}
+
+//! Reports values that the key does not accept, or that are given twice.
+void check_values(const std::string& table, const KeyFactor& factor,
+                  const Spec& spec, const Problems& problems) {
+    problems.rule({"values", "key"}, factor.values.size() < 2,
+                  "{}.keys has a single value of {} (so nothing would vary); "
+                  "add another, or remove the table",
+                  table, factor.key);
+    std::set<std::string> seen;
+    for (const TomlValue& value : factor.values) {
+        const Problems problems_of_value(spec.name);
+        try_value(spec, factor.key, value, problems_of_value);
+        try {
+            problems_of_value.throw_if_any();
+        } catch (const InputError& error) {
+            problems.add("values", error.problems().front().code, "{}.keys: {}",
+                         table, error.problems().front().what);
+            continue;
+        }
+        problems.rule(
+            ProblemCode::duplicate, {"key"},
+            [&] { return !seen.insert(value.text).second; },
+            "{}.keys has the value {} of {} twice (once is enough); remove one",
+            table, value.text, factor.key);
+    }
+}
+
 //! @param table name of the table of the study or search
 //! @param problems problems of the factor
 void check_key(const std::string& table, const KeyFactor& factor,
-               const std::vector<VariableKey>& keys, const Problems& problems) {
+               const std::vector<VariableKey>& keys, const Spec& spec,
+               const Problems& problems) {
     const auto variable =
         std::ranges::find(keys, factor.key, &VariableKey::name);
     const std::string reason =
-        variable == keys.end() ? "(which is not a numeric key of this campaign)"
-                               : fault(*variable);
+        variable == keys.end()
+            ? "(which is not a variable key of this campaign)"
+            : fault(*variable);
     problems.rule(ProblemCode::unknown_name, {"key"}, !reason.empty(),
                   "{}.keys has \"{}\" {}; {}", table, factor.key, reason,
                   advice(factor.key, keys));
-    for (const double bound : {factor.range.lower, factor.range.upper})
-        problems.rule(
-            {"range", "key"},
-            [&] {
-                return fault_of(bound, variable->section, variable->key.key);
-            },
-            ProblemCode::out_of_range);
+    if (!problems.usable({"key"})) return;
+    if (factor.values.empty())
+        check_range(table, factor, *variable, problems);
+    else
+        check_values(table, factor, spec, problems);
 }
 
 void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
@@ -71,6 +135,9 @@ void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
     std::set<std::string> seen;
     Spec varied = spec;
     const std::vector<VariableKey> keys = variable_keys(varied);
+    const auto varies = [&](const std::string& key) {
+        return std::ranges::count(factors, key, &KeyFactor::key) > 0;
+    };
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const KeyFactor& factor = factors[i];
         // If a crop could not be read, its keys are unknown.
@@ -83,7 +150,13 @@ void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
             [&] { return !seen.insert(factor.key).second; },
             "{}.keys has \"{}\" twice (once is enough); remove one", table,
             factor.key);
-        check_key(table, factor, keys, of_factor);
+        check_key(table, factor, keys, spec, of_factor);
+        of_factor.rule(
+            ProblemCode::contradiction, {"key"},
+            factor.key == "spacing.density" && varies("spacing.plant"),
+            "{}.keys has \"spacing.density\" and \"spacing.plant\" (each "
+            "determines the other); remove one",
+            table);
     }
 }
 
@@ -104,6 +177,18 @@ void check_sensitivity(const Spec& spec, const Problems& problems) {
         "sensitivity.traits is false (and there are no sensitivity.keys, "
         "so nothing would vary); name a key, or leave it out");
     check_keys("sensitivity", spec.sensitivity.keys, spec, problems);
+    for (std::size_t i = 0; i < spec.sensitivity.keys.size(); ++i)
+        problems.in("sensitivity")
+            .in("keys", i)
+            .rule(
+                {"key"},
+                spec.sensitivity.method == SensitivityMethod::morris &&
+                    spec.sensitivity.keys[i].kind != GeneKind::real,
+                "sensitivity.keys: {} has single values (Morris' method needs "
+                "equal steps within a range of decimal numbers); use the "
+                "method "
+                "\"sobol\"",
+                spec.sensitivity.keys[i].key);
     check_keys("search", spec.search.keys, spec, problems);
 }
 

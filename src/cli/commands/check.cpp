@@ -102,6 +102,27 @@ double steps_of(const SkyOverview& sky) {
     return static_cast<double>(sky.steps);
 }
 
+//! Returns the values that a gene may have.
+std::string domain_of(const Gene& gene) {
+    if (!gene.values.empty())
+        return fmt::format("{} {}", gene.is_choice() ? "a choice of" : "one of",
+                           fmt::join(gene.values, ", "));
+    return fmt::format("{}{} .. {}", gene.is_discrete() ? "whole numbers " : "",
+                       gene.lower, gene.upper);
+}
+
+Json to_json(const GeneSpace& keys) {
+    Json json = Json::array();
+    for (const Gene& gene : keys)
+        json.push_back({{"name", gene.name},
+                        {"kind", name_of(gene.kind)},
+                        {"unit", gene.unit},
+                        {"lower", gene.lower},
+                        {"upper", gene.upper},
+                        {"values", gene.values}});
+    return json;
+}
+
 //! The results of `check`. Unless stated otherwise, they apply to the first
 //! case.
 struct Findings {
@@ -113,6 +134,7 @@ struct Findings {
     DiskRoom room;
     double excess;  //!< constraint violation of the baseline
     std::size_t genes, free_genes;
+    GeneSpace keys;  //!< genes that are keys of the campaign
 };
 
 //! Returns the mean leaf area per planting position [m2], without within-line
@@ -132,6 +154,7 @@ Findings look_at(const Campaign& campaign) {
         build_plant(campaign.crop.baseline, campaign.spec.plant.tessellation);
     const Field field = draw_field(scene, randomness_of({}, campaign, first));
     const GeneSpace genes = search_genes(campaign, first);
+    const auto keys = static_cast<std::ptrdiff_t>(campaign.varied.keys.size());
     Findings findings{plant,
                       scene.light().series,
                       field,
@@ -140,7 +163,8 @@ Findings look_at(const Campaign& campaign) {
                       disk_room(campaign, campaign_cases),
                       0,
                       genes.size(),
-                      count_free(genes)};
+                      count_free(genes),
+                      {genes.end() - keys, genes.end()}};
     findings.excess = violation(
         campaign.spec.constraints, campaign.crop.traits, campaign.crop.baseline,
         lai_of_line(plant, scene.components.front().ground_per_plant));
@@ -187,6 +211,7 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
         {"development_stage", grows ? Json() : Json(campaign.spec.plant.stage)},
         {"search", search_of(campaign)},
         {"genes", findings.genes},
+        {"keys", to_json(findings.keys)},
         {"free_genes", findings.free_genes},
         {"cost", json_of(findings.cost, campaign_cases.size())},
         {"disk",
@@ -256,9 +281,8 @@ void print(const CheckOptions& options, const Campaign& campaign,
             findings.excess);
     fmt::print("genes     {} of {} free\n", findings.free_genes,
                findings.genes);
-    for (const KeyFactor& each : campaign.varied.keys)
-        fmt::print("          including {}, {} .. {}\n", each.key,
-                   each.range.lower, each.range.upper);
+    for (const Gene& gene : findings.keys)
+        fmt::print("          including {}, {}\n", gene.name, domain_of(gene));
     fmt::print("{}", search_text(campaign));
     fmt::print("cost      {} per case{}\n", cost_text(findings.cost),
                campaign_cases.size() == 1 ? "" : " (measured on the first)");

@@ -91,6 +91,9 @@ struct TypeSchema {
     Json operator()(const std::vector<double>*) const {
         return list_schema(values, number_schema(values, "number"));
     }
+    Json operator()(const std::vector<TomlValue>*) const {
+        return {{"type", "array"}, {"minItems", 1}};
+    }
     Json operator()(const std::vector<std::string>*) const {
         return list_schema(values, text());
     }

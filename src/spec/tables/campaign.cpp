@@ -133,11 +133,11 @@ constexpr Key component_keys[] = {
     key<&ComponentSpec::free>("free", from_file(Names::traits, "traits of its crop file"), usual("[\"width\"]"), "traits that the search may change; without any the plants are those of the crop file").quiet().excluding("mesh"),
     key<&ComponentSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of its crop file"), usual(), "bounds of its traits: as for `plant.bounds`, by its crop file; or the table [component.bounds]").quiet().excluding("mesh"),
     key_of<ComponentSpec>("variation", Values{.type = "table"}, by("as the field"), "within-line variation of its plants, with the keys of [field.variation], instead of that of the field; {} for uniform plants").excluding("mesh"),
-    key<&ComponentSpec::rows>("rows", numbers(1, 100, "", "list of integers"), none("[2, 4]"), "rows of the field with this component instead of the plant of [plant], counted from 1"),
-    key<&ComponentSpec::mixed>("mixed", within(0, 10000), usual(), "number of plants of [plant] that it replaces, at random positions in each generation; instead of `rows`").quiet(),
-    key<&ComponentSpec::plants>("plants", within(0, 1000), usual(), "number of plants in each of its rows; 0: as many as `field.plants`").quiet(),
-    key<&ComponentSpec::later>("later", within(0, 200, "d"), usual(), "days from `climate.emergence` to the emergence of this component").quiet().excluding("mesh"),
-    key<&ComponentSpec::jitter>("jitter", within(0, 180, "deg"), by("as the field"), "largest random turn of each of its plants, instead of `field.jitter` and `field.variation.across_row`"),
+    key<&ComponentSpec::rows>("rows", numbers(1, 100, "", "list of integers"), none("[2, 4]"), "rows of the field with this component instead of the plant of [plant], counted from 1").variable(),
+    key<&ComponentSpec::mixed>("mixed", within(0, 10000), usual(), "number of plants of [plant] that it replaces, at random positions in each generation; instead of `rows`").quiet().variable(),
+    key<&ComponentSpec::plants>("plants", within(0, 1000), usual(), "number of plants in each of its rows; 0: as many as `field.plants`").quiet().variable(),
+    key<&ComponentSpec::later>("later", within(0, 200, "d"), usual(), "days from `climate.emergence` to the emergence of this component").quiet().variable().excluding("mesh"),
+    key<&ComponentSpec::jitter>("jitter", within(0, 180, "deg"), by("as the field"), "largest random turn of each of its plants, instead of `field.jitter` and `field.variation.across_row`").variable(),
 };
 
 constexpr Key light_keys[] = {
@@ -210,9 +210,13 @@ constexpr Key search_keys[] = {
     key<&SearchSpec::reference>("reference", numbers(0, 0), by("the worst of each in generation 0"), "reference point of several objectives, in their order and units; the hypervolume of a generation is relative to it"),
 };
 
+constexpr Key varied_key = key<&KeyFactor::key>("key", any_value, required("\"optics.soil_albedo\""), "varied key of field, spacing, panel, optics, photosynthesis, water, soil, irrigation or plant.baseline; or climate.emergence, day.date, or rows, mixed, plants, later or jitter of component");
+constexpr Key varied_values = key<&KeyFactor::values>("values", any_value, none("[\"loam\", \"clay\"]"), "two or more values of the key, instead of a range: numbers or dates, of which any two are in order, or values of any other type, which are choices").quiet();
+
 constexpr Key varied_keys[] = {
-    key<&KeyFactor::key>("key", any_value, required("\"optics.soil_albedo\""), "varied number of field, spacing, panel, optics, photosynthesis or plant.baseline"),
-    key<&KeyFactor::range>("range", any_value, required("[0.05, 0.3]"), "range of the search"),
+    varied_key,
+    key<&KeyFactor::range>("range", any_value, none("[0.05, 0.3]"), "range of the search: whole numbers if the key is an integer").quiet().excluding("values"),
+    varied_values,
 };
 
 constexpr Key axis_keys[] = {
@@ -230,8 +234,9 @@ constexpr Key sensitivity_keys[] = {
 };
 
 constexpr Key study_keys[] = {
-    key<&KeyFactor::key>("key", any_value, required("\"optics.soil_albedo\""), "varied number of field, spacing, panel, optics, photosynthesis or plant.baseline"),
-    key<&KeyFactor::range>("range", any_value, required("[0.05, 0.3]"), "range in which it is uniformly distributed"),
+    varied_key,
+    key<&KeyFactor::range>("range", any_value, none("[0.05, 0.3]"), "range in which it is uniformly distributed: whole numbers if the key is an integer").quiet().excluding("values"),
+    varied_values,
 };
 
 constexpr Key stop_keys[] = {
@@ -358,10 +363,10 @@ constexpr Table spec_tables[] = {
         "photosynthesis", photosynthesis_table)
         .variable()
         .written_if<Spec, assimilates>(),
-    table<&Spec::water>("water", water_table),
-    table<&Spec::soil>("soil", soil_table),
-    table<&Spec::irrigation>("irrigation", irrigation_table),
-    table<&Spec::prices>("prices", prices_table),
+    table<&Spec::water>("water", water_table).variable(),
+    table<&Spec::soil>("soil", soil_table).variable(),
+    table<&Spec::irrigation>("irrigation", irrigation_table).variable(),
+    table<&Spec::prices>("prices", prices_table).variable(),
     table<&Spec::constraints>("constraints", constraints_table),
     table<&Spec::feasibility>("feasibility", feasibility_table)
         .optional()

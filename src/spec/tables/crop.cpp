@@ -275,8 +275,8 @@ constexpr Table crop_parts[] = {
         .variable()
         .written_if<CropSpec, has_petioles>(),
     table<&CropSpec::baseline, &Plant::blade>("blade", blade_table).variable(),
-    table<&CropSpec::growth>("growth", growth_table),
-    table<&CropSpec::grain>("grain", grain_table),
+    table<&CropSpec::growth>("growth", growth_table).variable(),
+    table<&CropSpec::grain>("grain", grain_table).variable(),
     table<&CropSpec::baseline, &Plant::leaves>("leaf", leaf_table)
         .variable()
         .at_most(most_leaves),

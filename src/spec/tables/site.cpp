@@ -34,7 +34,7 @@ constexpr Key site_keys[] = {
 
 constexpr Key day_keys[] = {
     key<&NamedDay::name>("name", name_text, by("month and day", "\"0807\""), "name of the day, a part of the names of cases"),
-    key<&NamedDay::value, &DaySpan::dates>("date", words("1950-01-01 .. 2100-12-31"), required("2025-08-07"), "date, or several dates of which the mean day is evaluated"),
+    key<&NamedDay::value, &DaySpan::dates>("date", words("1950-01-01 .. 2100-12-31"), required("2025-08-07"), "date, or several dates of which the mean day is evaluated").variable(),
     key<&NamedDay::value, &DaySpan::start>("start", local_time("00:00:00 .. 23:59:59"), required("07:00:00"), "first instant, on the local clock"),
     key<&NamedDay::value, &DaySpan::end>("end", local_time("after start, to \"24:00\""), required("20:00:00"), "last instant"),
     key<&NamedDay::value, &DaySpan::step_minutes>("step_minutes", within(1, 720, "min"), usual(), "time between instants; it divides the time from start to end").trades({120, 60, 30, 15}),
@@ -45,7 +45,7 @@ constexpr Key climate_keys[] = {
     key<&NamedClimate::value, &Climate::file>("file", file_path, none("\"weather/mine.csv\""), "weather file of `ideotype weather`, or any CSV with the columns below; \"{year}\" in it is replaced by the year"),
     key<&NamedClimate::value, &Climate::period, &Period::from>("from", words("1950-01-01 .. 2100-12-31"), required("2011-07-21"), "first day of the period"),
     key<&NamedClimate::value, &Climate::period, &Period::to>("to", words("1950-01-01 .. 2100-12-31"), required("2011-09-20"), "last day of the period"),
-    key<&NamedClimate::value, &Climate::emergence>("emergence", words("1950-01-01 .. 2100-12-31"), none("2011-05-15"), "date of emergence; plants then grow and age by [growth] of the crop file until maturity or the end of the period; without it they do not grow").written_if<NamedClimate, grows>(),
+    key<&NamedClimate::value, &Climate::emergence>("emergence", words("1950-01-01 .. 2100-12-31"), none("2011-05-15"), "date of emergence; plants then grow and age by [growth] of the crop file until maturity or the end of the period; without it they do not grow").written_if<NamedClimate, grows>().variable(),
     key<&NamedClimate::value, &Climate::years>("years", numbers(1950, 2100, "", "list of integers"), none("[1998, 2005, 2012]"), "years in which the period is repeated, each a climate with the dates of that year; its name ends in the year, or is the year if the table has no name"),
     key<&NamedClimate::value, &Climate::weights>("weights", number_or_list(0, 1e6), by("1", "[0.4, 0.35, 0.25]"), "weight where climates are scenarios: of each year, or one for all").quiet(),
     key<&NamedClimate::value, &Climate::stamp>("stamp", texts("beginning", "middle", "end"), by("\"end\"; \"middle\" without time"), "part of the time step that the time of a row marks"),

@@ -100,6 +100,15 @@ ONLY_CHECK_SEES = {
         "site.longitude",
         "stop.wall_time",
     },
+    "search_keys.toml": {
+        "search.keys",
+        "search.keys does not say how optics.soil_albedo varies",
+        "search.keys.values excludes search.keys.range",
+        'search.keys: field.boundary is "isolate"',
+        "search.keys: field.rows is a text",
+        "search.keys: spacing.plant is 20 m",
+        "search.keys: the range of field.plants is [1.5, 4.5]",
+    },
     "sensitivity.toml": {
         "optics.leaf_reflectance",
         "sensitivity.keys",

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 import re
 from collections.abc import Iterable, Mapping
@@ -14,7 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from ..common.arrays import require_file
+from ..common.csv_rows import Problems, read_rows
 from ..errors import Error, did_you_mean
 
 COLUMNS = {
@@ -85,59 +83,23 @@ class Measurement:
         return (self.low + self.high) / 2
 
 
-class _Problems:
-    """Collects the problems of a table, to report them together."""
-
-    def __init__(self) -> None:
-        self.texts: list[str] = []
-
-    def add(self, where: str, text: str) -> None:
-        self.texts.append(f"{where}: {text}")
-
-    def raise_any(self) -> None:
-        if self.texts:
-            raise Error("\n".join(self.texts))
-
-
 def read_table(path: Path) -> list[Measurement]:
     """Reads a CSV file with the columns `COLUMNS`; lines that begin with # are
     comments.
 
     Raises Error with all problems of the file and their lines."""
-    require_file(path)
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise Error(f"{path}: {error}; save it as CSV in UTF-8") from None
-    lines = [
-        (number, line)
-        for number, line in enumerate(text.splitlines(), 1)
-        if line.strip() and not line.lstrip().startswith("#")
-    ]
-    if not lines:
-        raise Error(
-            f"{path}:1: this file is empty; begin with a line of column names"
+    problems = Problems()
+    table = read_rows(path, problems)
+    names = [name.lower() for name in table.names]
+    _check_names(names, table.head, problems)
+    measured = [
+        _measurement(
+            {name: cell for name, cell in zip(names, cells) if cell},
+            where,
+            problems,
         )
-    rows = list(csv.reader(io.StringIO("\n".join(x for _, x in lines))))
-    names = [name.strip().lower() for name in rows[0]]
-    problems = _Problems()
-    _check_names(names, f"{path}:{lines[0][0]}", problems)
-    measured = []
-    for (number, _), cells in zip(lines[1:], rows[1:]):
-        where = f"{path}:{number}"
-        if len(cells) != len(names):
-            problems.add(
-                where,
-                f"this row has {len(cells)} cells and the table "
-                f"{len(names)} columns; separate cells by one comma each",
-            )
-            continue
-        row = {
-            name: cell.strip()
-            for name, cell in zip(names, cells)
-            if cell.strip()
-        }
-        measured.append(_measurement(row, where, problems))
+        for where, cells in table.rows
+    ]
     problems.raise_any()
     return [row for row in measured if row]
 
@@ -147,7 +109,7 @@ def measurements_from_rows(
 ) -> list[Measurement]:
     """Returns the measurements of rows of a file of facts, with the names of
     `COLUMNS`. Raises Error with all problems."""
-    problems = _Problems()
+    problems = Problems()
     measured = []
     for number, row in enumerate(rows, 1):
         place = f"{where}, row {number}"
@@ -157,7 +119,7 @@ def measurements_from_rows(
     return [row for row in measured if row]
 
 
-def _check_names(names: list[str], where: str, problems: _Problems) -> None:
+def _check_names(names: list[str], where: str, problems: Problems) -> None:
     for name in names:
         if name not in COLUMNS and "." not in name:
             problems.add(
@@ -169,8 +131,6 @@ def _check_names(names: list[str], where: str, problems: _Problems) -> None:
                     "such as spacing.density"
                 ),
             )
-    for name in {name for name in names if names.count(name) > 1}:
-        problems.add(where, f"two columns are named '{name}'; rename one")
     if "quantity" not in names:
         problems.add(
             where, "there is no column quantity; name the measured quantity"
@@ -178,7 +138,7 @@ def _check_names(names: list[str], where: str, problems: _Problems) -> None:
 
 
 def _measurement(
-    cells: Mapping[str, Any], where: str, problems: _Problems
+    cells: Mapping[str, Any], where: str, problems: Problems
 ) -> Measurement | None:
     before = len(problems.texts)
 

@@ -7,8 +7,8 @@ histories that the program writes, on any system.
 
 The packages are `stand` (plants and their light), `search` (optimizers),
 `history` (histories of searches), `figures`, `report`, `live` (interactive
-pages), `validation` (field measurements) and `tools` (one module for each
-command)."""
+pages), `validation` (field measurements), `selection` (breeding
+programmes) and `tools` (one module for each command)."""
 
 from __future__ import annotations
 
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         live,
         report,
         search,
+        selection,
         stand,
         tools,
         validation,
@@ -61,6 +62,7 @@ __all__ = [
     "open_study",
     "report",
     "search",
+    "selection",
     "soil_water_balance",
     "stand",
     "tools",
@@ -88,6 +90,7 @@ _PACKAGES = [
     "live",
     "report",
     "search",
+    "selection",
     "stand",
     "tools",
     "validation",

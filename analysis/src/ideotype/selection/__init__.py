@@ -1,22 +1,49 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Trials of lines and their genetic parameters.
+"""From measured lines to an ideotype: selection indices from the gradient of
+an objective, and programmes of recurrent selection.
 
-`read_trial` reads a trial, `estimate` its genetic parameters, and `read_lines`
-a file of lines."""
+`read_trial` reads a trial, `estimate` its genetic parameters, `read_lines` a
+file of lines. `Field` evaluates the plants of lines in a campaign. `select`
+computes everything, and `write_selection` writes it."""
 
 from .covariances import mean_products
+from .field import Field
 from .genetics import Population, estimate, read_lines
+from .index import Advice, Index, intensity, response, smith_hazel
 from .made import make_trial
+from .programme import Method, Plan, World, simulate
+from .reach import Reach, rank_lines
+from .selection import Options, Selection, select
+from .store import Store
+from .surface import Surface, explore
 from .traits import Trait
 from .trial import Trial, read_trial
 
 __all__ = [
+    "Advice",
+    "Field",
+    "Index",
+    "Method",
+    "Options",
+    "Plan",
     "Population",
+    "Reach",
+    "Selection",
+    "Store",
+    "Surface",
     "Trait",
     "Trial",
+    "World",
     "estimate",
+    "explore",
+    "intensity",
     "make_trial",
     "mean_products",
+    "rank_lines",
     "read_lines",
     "read_trial",
+    "response",
+    "select",
+    "simulate",
+    "smith_hazel",
 ]

@@ -11,6 +11,7 @@ from .field import Field
 from .genetics import Population, estimate, read_lines
 from .index import Advice, Index, intensity, response, smith_hazel
 from .made import make_trial
+from .page import write_selection
 from .programme import Method, Plan, World, simulate
 from .reach import Reach, rank_lines
 from .selection import Options, Selection, select
@@ -46,4 +47,5 @@ __all__ = [
     "select",
     "simulate",
     "smith_hazel",
+    "write_selection",
 ]

@@ -13,10 +13,13 @@ from made_report import Made
 from matplotlib.container import ErrorbarContainer
 from phone import WIDTH, phone_with
 
+import ideotype
 from ideotype.figures.comparison import draw_energy
 from ideotype.figures.profiles import draw_layers
 from ideotype.history import open_history, open_study
 from ideotype.history.state import State
+from ideotype.report.programme import tabulate_reach
+from ideotype.tools.commands import report
 
 
 def test_the_axis_of_height_ends_above_the_plants(tmp_path: Path) -> None:
@@ -92,3 +95,27 @@ def test_tables_of_the_origin_fit_on_a_phone(
             )
             <= WIDTH
         )
+
+
+def test_the_programme_of_a_selection_is_a_section(
+    finished: Path, tmp_path: Path
+) -> None:
+    words = ["-o", str(tmp_path / "report"), "-j", "1", "--no-split"]
+    words += ["--figures", "", "--selection", str(tmp_path)]
+    reach = tmp_path / "reach.csv"
+    reach.write_text("method,cycles\nindex,5\n")
+    with pytest.raises(ideotype.Error, match="no column 'ceiling'"):
+        tabulate_reach(tmp_path)
+    reach.write_text(
+        "method,ceiling,ceiling_standard_error,gain,gain_standard_error,"
+        "cycles,half_cycles\n"
+        "index,8,0.5,3.1,0.1,5,\nyield,8,0.5,6.2,0.1,5,2.25\n"
+    )
+    table = tabulate_reach(tmp_path)
+    assert table.rows == [
+        ["index", "5", "3.10 ± 0.20", "8.00 ± 0.98", "-"],
+        ["yield", "5", "6.20 ± 0.20", "8.00 ± 0.98", "2.2"],
+    ]
+    assert report([str(finished), *words]) == 0
+    page = (tmp_path / "report/report.html").read_text()
+    assert "Breeding programme" in page and "6.20 ± 0.20" in page

@@ -34,6 +34,7 @@ from .organ_split import (
 )
 from .page import render
 from .paper import FILES, make_paper_figure
+from .programme import tabulate_reach
 from .provenance import tabulate_provenance
 from .scenario_table import tabulate_scenarios
 from .scene import Plants, make_scene, select_best
@@ -89,6 +90,7 @@ def write_report(
     figures_of: Sequence[str] | None = None,
     plants: Sequence[str | Path] = (),
     has_split: bool = True,
+    selection: Path | None = None,
 ) -> Written:
     """Writes report.html, results.csv, the figure for a paper (figure.pdf and
     figure.png) and figures/ into the folder, over those of an earlier report.
@@ -102,7 +104,9 @@ def write_report(
     their name get separate figures; without words, all cases do if there are
     few. `plants` are files of the user's plants for the 3D view, as for
     own_plants(). With `has_split` the best plant of each case and its baseline
-    are re-evaluated with leaves alone.
+    are re-evaluated with leaves alone. `selection` is a folder that
+    ideotype.selection.write_selection() has written; its programme is a
+    section of the page.
 
     Raises HistoryError if no history has an evaluation, OutputRefused if a
     symbolic link is where a file or folder is to be written, OSError if the
@@ -137,6 +141,7 @@ def write_report(
         searched = [
             _result(study, cases, shapes, splits),
             _gains(cases, cross, splits),
+            _programme(selection),
             _places(cases, cross),
             _view(
                 [
@@ -275,6 +280,13 @@ def _gains(
     )
     section.blocks += tables.tabulate_gains(cases, cross)[:1]
     section.blocks += [*tabulate_splits(splits), *tabulate_scenarios(cases)]
+    return section
+
+
+def _programme(selection: Path | None) -> Section:
+    section = Section("Breeding programme")
+    if selection:
+        section.blocks.append(tabulate_reach(selection))
     return section
 
 

@@ -12,8 +12,7 @@ from pathlib import Path
 
 from ..common.output import REFUSED, OutputRefused
 from ..common.progress import Progress
-from ..errors import printable_lines
-from ..history.file import HistoryError
+from ..errors import Error, printable_lines
 from ..history.study import Study, open_study
 
 _EXIT_CODES = (
@@ -74,6 +73,11 @@ def report(arguments: Sequence[str] | None = None) -> int:
         help="another plant for the three-dimensional view: a crop file, "
         "measured leaves (.csv), or a digitised plant (.obj, .ply, .dat); may "
         "be repeated",
+    )  # fmt: skip
+    add(
+        "--selection", type=Path, metavar="DIR",
+        help="a folder of ideotype select, for the gain of a breeding programme "
+        "compared with that of its ideotype",
     )  # fmt: skip
     add(
         "--cross",
@@ -141,7 +145,7 @@ def guarded(
         # The reader of the output has closed the pipe.
         _drop_output()
         return 1
-    except (HistoryError, OutputRefused, OSError) as error:
+    except (Error, OSError) as error:
         warn(error)
         _drop_output()
         return REFUSED if isinstance(error, OutputRefused) else 1
@@ -208,6 +212,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
             figures_of=options.figures,
             plants=options.plant,
             has_split=options.has_split,
+            selection=options.selection,
         )
     size = written.page.stat().st_size / 1e6
     folder = written.page.parent

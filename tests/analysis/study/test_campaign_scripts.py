@@ -441,3 +441,18 @@ def test_drought_costs_grain(tmp_path: Path) -> None:
     assert 0.05 < float(ratio[1]) < 0.95
     shallow = re.search(r"(?m)^\| roots of 0.6 m .*\| (\S+) ± \S+ \|$", found)
     assert shallow is not None and float(shallow[1]) < float(ratio[1])
+
+
+def test_all_faults_of_a_trial_are_listed(tmp_path: Path) -> None:
+    lines = run("select_panel.py", tmp_path, "--only", "faults").splitlines()
+    assert len([x for x in lines if x.startswith("faults.csv:")]) == 8
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("goal", ["carbon", "grain"])
+def test_lines_approach_an_ideotype(tmp_path: Path, goal: str) -> None:
+    tables = run("select_panel.py", tmp_path, "--only", goal, "--rough")
+    for name in ("yield", "index", "genomic"):
+        assert f"* {goal}, {name}: Standing variation gives" in tables
+    rows = re.findall(r"(?m)^\| mean \| .* \| (\S+) ± \S+ \| \S+ ± ", tables)
+    assert rows, tables

@@ -7,8 +7,9 @@ histories that the program writes, on any system.
 
 The packages are `stand` (plants and their light), `search` (optimizers),
 `history` (histories of searches), `figures`, `report`, `live` (interactive
-pages), `validation` (field measurements), `selection` (breeding
-programmes) and `tools` (one module for each command)."""
+pages), `validation` (field measurements), `calibration` (parameters from
+measurements), `selection` (breeding programmes) and `tools` (one module for
+each command)."""
 
 from __future__ import annotations
 
@@ -20,6 +21,7 @@ from .mesh import mesh
 
 if TYPE_CHECKING:
     from . import (
+        calibration,
         figures,
         history,
         live,
@@ -52,6 +54,7 @@ __all__ = [
     "Problem",
     "Search",
     "Stand",
+    "calibration",
     "figures",
     "history",
     "leaf_energy_balance",
@@ -85,6 +88,7 @@ _SOURCES = {
     "soil_water_balance": (".stand", "soil_water_balance"),
 }
 _PACKAGES = [
+    "calibration",
     "figures",
     "history",
     "live",

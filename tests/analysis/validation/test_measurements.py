@@ -5,13 +5,17 @@ reported together with their lines."""
 from __future__ import annotations
 
 import math
+import tomllib
 from datetime import date, time
 from pathlib import Path
 
 import pytest
+from real_program import CAMPAIGNS
 
 import ideotype
-from ideotype.validation.table import factor_to, read_table
+from ideotype.validation.comparison import Conditions
+from ideotype.validation.quantities import Seen
+from ideotype.validation.table import Measurement, factor_to, read_table
 
 
 def test_a_table_is_read(tmp_path: Path) -> None:
@@ -92,3 +96,50 @@ def test_devices_and_empty_files_are_refused(tmp_path: Path) -> None:
     (path := tmp_path / "empty.csv").write_text("# nothing\n")
     with pytest.raises(ideotype.Error, match="this file is empty"):
         read_table(path)
+
+
+def test_a_row_with_an_hour_has_the_rate_of_that_hour() -> None:
+    """The rates of two hours add up to that of both."""
+    fast = {"light.tolerance": 0, "light.paths": 256, "field.rows": 1,
+            "field.plants": 1}  # fmt: skip
+    conditions = Conditions(CAMPAIGNS / "ames_quick.toml", 2, False)
+
+    def rate(begin: int, end: int) -> float:
+        row = Measurement(
+            "gross_assimilation", "mol m-2 day-1", 1, 1, 1,
+            hours=(time(begin), time(end)),
+        )  # fmt: skip
+        keys = {"photosynthesis.model": "hyperbola", **fast}
+        settings = conditions.settings({**keys, **conditions.keys(row)})
+        return conditions.values(settings, [row], 1)[0]
+
+    both, first, second = rate(11, 13), rate(11, 12), rate(12, 13)
+    assert both == pytest.approx((first + second) / 2, rel=0.05)
+    # A rate, not the amount of one hour.
+    assert first > 2
+
+
+def test_the_photon_flux_above_the_canopy_is_that_of_the_sky() -> None:
+    conditions = Conditions(CAMPAIGNS / "ames_quick.toml", 2, False)
+    row = Measurement("ppfd", "umol m-2 s-1", 1, 1, 1, height=4.0,
+                      hours=(time(12), time(13)))  # fmt: skip
+    settings = conditions.settings(conditions.keys(row))
+    seen = Seen(conditions.stand(settings, 1))
+    (flux,) = conditions.values(settings, [row], 1)
+    incident = seen.number("incident") * 1e6 / 3600
+    assert flux == pytest.approx(4.57 * incident, rel=0.02)
+
+
+def test_angles_of_a_rank_and_of_its_third_agree() -> None:
+    conditions = Conditions(CAMPAIGNS / "ames_quick.toml", 2, False)
+    count = len(
+        tomllib.loads((CAMPAIGNS / "crops/maize.toml").read_text())["leaf"]
+    )
+    names = [str(rank) for rank in range(1, count + 1)]
+    rows = [
+        Measurement("inclination", "deg", 1, 1, 1, leaves=name)
+        for name in ["", *names]
+    ]
+    whole, *ranks = conditions.values(conditions.settings({}), rows, 1)
+    assert min(ranks) < whole < max(ranks)
+    assert len(set(ranks)) == count

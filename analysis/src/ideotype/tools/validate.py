@@ -96,7 +96,7 @@ def _facts(options: argparse.Namespace) -> list[Fact]:
     return facts.named(options.only or [])
 
 
-def _keys(words: Sequence[str]) -> dict[str, Any]:
+def read_keys(words: Sequence[str]) -> dict[str, Any]:
     """Returns the settings of the command line; texts need no quotes."""
     import tomllib
 
@@ -150,7 +150,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     try:
         chosen = _facts(options)
-        keys = _keys(options.set)
+        keys = read_keys(options.set)
         results = []
         with Progress("compared") as progress:
             for done, fact in enumerate(chosen):

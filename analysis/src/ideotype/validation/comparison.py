@@ -37,7 +37,8 @@ measurements of light and leaf area have 0.03 to 0.10)."""
 LEAF, CROP = "leaf.", "crop."
 """The prefixes of keys that change the baseline: leaf.PART.MEASURE, where PART
 is all or the lower, middle or upper third of the leaves by rank, and
-crop.TABLE.KEY; each takes a value or {times = FACTOR}."""
+crop.TABLE.KEY, or crop.TABLE.NUMBER.KEY for [[TABLE]], from 1; each takes a
+value or {times = FACTOR}."""
 
 
 def changed(
@@ -50,12 +51,8 @@ def changed(
     leaves = crop["leaf"]
     for key, value in changes.items():
         if key.startswith(CROP):
-            table, _, name = key.removeprefix(CROP).partition(".")
-            if name not in crop.get(table, {}):
-                raise Error(
-                    f"there is no key '{key}'; use crop.TABLE.KEY of the crop"
-                )
-            _change_key(crop[table], name, value)
+            tables, _, name = key.removeprefix(CROP).rpartition(".")
+            _change_key(_find_table(crop, tables, name, key), name, value)
             continue
         part, _, measure = key.removeprefix(LEAF).partition(".")
         if part not in ("all", *THIRDS) or measure not in leaves[0]:
@@ -67,6 +64,24 @@ def changed(
             if part == "all" or find_third(rank, len(leaves)) == THIRDS[part]:
                 _change_key(leaf, measure, value)
     return crop
+
+
+def _find_table(
+    crop: dict[str, Any], name: str, wanted: str, key: str
+) -> dict[str, Any]:
+    """Returns the table of a crop, NAME or NAME.NUMBER, that has the wanted
+    key. Raises Error if there is none."""
+    table, _, number = name.partition(".")
+    found = crop.get(table, {})
+    if isinstance(found, list):
+        places = number.isdecimal() and 0 < int(number) <= len(found)
+        found = found[int(number) - 1] if places else {}
+    if wanted not in found:
+        raise Error(
+            f"there is no key '{key}'; use crop.TABLE.KEY of the crop, or "
+            "crop.TABLE.NUMBER.KEY for [[TABLE]]"
+        )
+    return found
 
 
 def _change_key(table: dict[str, Any], key: str, value: Any) -> None:
@@ -139,7 +154,8 @@ class Conditions:
             raise Error(f"{campaign}: {error}") from None
         self._has_days = "day" in tables
         climates = tables.get("climate", [{}])
-        self._grows = "emergence" in climates[0]
+        self.grows = "emergence" in climates[0]
+        """Whether plants grow."""
 
     def keys(self, row: Measurement) -> dict[str, Any]:
         """Returns the keys of the campaign that a row sets, with its date and
@@ -154,7 +170,7 @@ class Conditions:
             keys |= {"day.start": row.hours[0], "day.end": row.hours[1]}
         if row.date and self._has_days:
             keys["day.date"] = row.date
-        elif row.date and not self._grows:
+        elif row.date and not self.grows:
             keys |= {"climate.from": row.date, "climate.to": row.date}
         elif row.date and row.quantity == "shoot":
             keys["climate.to"] = row.date
@@ -180,17 +196,19 @@ class Conditions:
             )
         return settings
 
+    def stand(self, settings: Sequence[str], seed: int) -> Stand:
+        """Returns the stand with the given settings and seed."""
+        return Stand.from_campaign(
+            self.campaign,
+            settings=[*settings, *format_settings({"seed": seed})],
+        )
+
     def values(
         self, settings: Sequence[str], rows: Sequence[Measurement], seed: int
     ) -> list[float]:
         """Returns the computed values of rows with common settings, in their
         units; for changes from a control in the units of the program."""
-        seen = Seen(
-            Stand.from_campaign(
-                self.campaign,
-                settings=[*settings, *format_settings({"seed": seed})],
-            )
-        )
+        seen = Seen(self.stand(settings, seed))
         numbers = []
         for row in rows:
             quantity = find_quantity(seen, row.quantity)

@@ -22,7 +22,10 @@ def describe_conditions(row: Measurement) -> str:
     if row.hours:
         parts.append(row.hours_text)
     if row.leaves:
-        parts.append(f"{row.leaves} third")
+        is_rank = row.leaves.isdecimal()
+        parts.append(
+            f"leaf {row.leaves}" if is_rank else f"{row.leaves} third"
+        )
     if row.position == row.position or row.quantity == "light":
         parts.append(f"{row.height:g} m high")
     return ", ".join(parts)

@@ -13,11 +13,14 @@ from typing import Any
 import numpy as np
 import xarray
 
-from ..errors import Error
+from ..errors import Error, did_you_mean
 from ..stand.stand import Stand
 from .table import THIRDS, Measurement, find_third
 
 DRY_MASS = "t ha-1"
+
+PHOTONS = 4.57
+"""Photons per unit of PAR from sun and sky [umol J-1] (McCree 1972)."""
 
 
 class Seen:
@@ -89,15 +92,23 @@ class Quantity:
     unit: str
     meaning: str
     value: Callable[[Seen, Measurement], float]
+    check: Callable[[Seen, Measurement], None] | None = None
+    """Raises Error for a row that cannot be computed, before it is."""
 
 
-def _light(seen: Seen, row: Measurement) -> float:
+def _mean_light(seen: Seen, row: Measurement) -> tuple[float, float]:
+    """Returns the mean PAR on a level sensor and above the canopy [W m-2]."""
     light = seen.stand.light_at(
         seen.stand.baseline, row.height, row.position, fields=2, points=256
     ).isel(sensor=0)
-    return float(
-        (light.fraction * light.incident).sum() / light.incident.sum()
+    return float((light.fraction * light.incident).mean()), float(
+        light.incident.mean()
     )
+
+
+def _light(seen: Seen, row: Measurement) -> float:
+    sensor, above = _mean_light(seen, row)
+    return sensor / above
 
 
 def _extinction(seen: Seen, row: Measurement) -> float:
@@ -106,9 +117,32 @@ def _extinction(seen: Seen, row: Measurement) -> float:
 
 def _inclination(seen: Seen, row: Measurement) -> float:
     angle, area, rank = seen.inclination
-    third = find_third(rank, rank.max())
-    part = third == THIRDS[row.leaves] if row.leaves else rank > 0
+    part = rank > 0
+    if row.leaves in THIRDS:
+        part = find_third(rank, rank.max()) == THIRDS[row.leaves]
+    elif row.leaves:
+        part = rank == int(row.leaves)
     return float(np.average(angle[part], weights=area[part]))
+
+
+def _check_leaves(seen: Seen, row: Measurement) -> None:
+    highest = int(seen.inclination[2].max())
+    if row.leaves.isdecimal() and not 0 < int(row.leaves) <= highest:
+        raise Error(
+            f"leaves is {row.leaves}, but the plant has {highest} leaves; count "
+            "them from the lowest, 1"
+        )
+
+
+def _check_date(seen: Seen, row: Measurement) -> None:
+    (climate,) = seen.campaign.get("climate", [None])
+    if climate is None or not row.date or not seen.emergence:
+        return
+    if not climate["from"] <= row.date <= climate["to"]:
+        raise Error(
+            f"date is {row.date}, but the climate of {seen.stand.name} is from "
+            f"{climate['from']} to {climate['to']}; correct one"
+        )
 
 
 def _lai(seen: Seen, row: Measurement) -> float:
@@ -131,12 +165,47 @@ def _shoot(seen: Seen, row: Measurement) -> float:
     return seen.number("dry_matter") - share * built
 
 
+def _grain(seen: Seen, row: Measurement) -> float:
+    if row.date is None:
+        return seen.number("grain_yield")
+    days = np.array(seen.report.day.values, "datetime64[D]").astype(float)
+    day = np.datetime64(row.date).astype(float)
+    return float(np.interp(day, days, seen.report.grain_by_day.values))
+
+
+def _check_grain(seen: Seen, row: Measurement) -> None:
+    if "grain_by_day" not in set(seen.stand.quantities.name):
+        raise Error(
+            f"{seen.stand.name} computes no grain, which needs growing plants "
+            "of a crop with [grain]; choose another campaign or quantity"
+        )
+    _check_date(seen, row)
+
+
+def _rate(name: str, unit: str, meaning: str) -> Quantity:
+    """Returns an amount per day as a quantity; in a row with hours it is the
+    rate during these hours."""
+
+    def value(seen: Seen, row: Measurement) -> float:
+        if not row.hours:
+            return seen.number(name)
+        begin, end = (60 * x.hour + x.minute for x in row.hours)
+        return seen.number(name) * 24 * 60 / (end - begin)
+
+    return Quantity(unit, meaning, value)
+
+
 QUANTITIES = {
     "light": Quantity(
         "1",
         "light on a level sensor at a height and a position, relative to the "
         "light above the canopy",
         _light,
+    ),
+    "ppfd": Quantity(
+        "umol m-2 s-1",
+        "photon flux of PAR on a level sensor at a height and a position",
+        lambda seen, row: PHOTONS * _mean_light(seen, row)[0],
     ),
     "transmitted": Quantity(
         "1",
@@ -152,26 +221,60 @@ QUANTITIES = {
         _extinction,
     ),
     "inclination": Quantity(
-        "deg", "mean inclination of leaf surfaces by area", _inclination
+        "deg",
+        "mean inclination of leaf surfaces by area",
+        _inclination,
+        _check_leaves,
     ),
-    "lai": Quantity("m2 m-2", "green leaf area index", _lai),
+    "lai": Quantity("m2 m-2", "green leaf area index", _lai, _check_date),
     "relative_lai": Quantity(
-        "1", "green leaf area index relative to its maximum", _relative_lai
+        "1",
+        "green leaf area index relative to its maximum",
+        _relative_lai,
+        _check_date,
     ),
-    "shoot": Quantity(DRY_MASS, "dry matter of shoots until a date", _shoot),
+    "shoot": Quantity(
+        DRY_MASS, "dry matter of shoots until a date", _shoot, _check_date
+    ),
+    "grain": Quantity(
+        DRY_MASS, "dry matter of grain at a date", _grain, _check_grain
+    ),
+    "gross_assimilation": _rate(
+        "gross_assimilation",
+        "mol m-2 day-1",
+        "CO2 that leaves and green organs take up per ground area",
+    ),
+    "net_assimilation": _rate(
+        "net_assimilation",
+        "mol m-2 day-1",
+        "net exchange of CO2 per ground area while there is light",
+    ),
+    "transpiration": _rate(
+        "transpiration", "mm day-1", "water that leaves transpire"
+    ),
 }
 """The quantities by name. Tables may also name any quantity without axes of
 `Stand.quantities`."""
 
+_RATES = {"gross_assimilation", "net_assimilation", "transpiration"}
+"""The quantities that only some campaigns compute."""
+
 
 def find_quantity(seen: Seen, name: str) -> Quantity:
     """Returns a quantity by its name. Raises Error for unknown names."""
-    if name in QUANTITIES:
-        return QUANTITIES[name]
     known = seen.stand.quantities.set_index("name")
     plain = known[[not axes for axes in known["axes"]]]
+    if name in QUANTITIES and (name not in _RATES or name in plain.index):
+        return QUANTITIES[name]
     if name not in plain.index:
-        raise Error(f"{seen.stand.name} has no quantity '{name}'")
+        names = [*(set(QUANTITIES) - _RATES), *plain.index]
+        raise Error(
+            f"{seen.stand.name} has no quantity '{name}'"
+            + (
+                did_you_mean(name, names)
+                or "; ideotype evaluate CAMPAIGN lists those of the campaign"
+            )
+        )
     return Quantity(
         plain.unit[name], plain.meaning[name], lambda s, row: s.number(name)
     )

@@ -21,7 +21,7 @@ COLUMNS = {
     "quantity": "name of the measured quantity",
     "height": "height of the sensor above the soil [m]",
     "position": "distance of the sensor across the rows, from a row [m]",
-    "leaves": "third of the leaves by rank: lower, middle, upper",
+    "leaves": "third of the leaves by rank: lower, middle, upper; or a rank",
     "value": "measured value",
     "error": "standard error of the value",
     "low": "smallest measured value, instead of a value",
@@ -163,9 +163,10 @@ def _measurement(
     quantity = str(cells.get("quantity", ""))
     if not quantity and "quantity" not in cells:
         problems.add(where, "quantity is empty; name the measured quantity")
-    if leaves not in ("", *THIRDS):
+    if leaves not in ("", *THIRDS) and not leaves.isdecimal():
         problems.add(
-            where, f"leaves is '{leaves}'; use lower, middle or upper"
+            where,
+            f"leaves is '{leaves}'; use lower, middle, upper or a rank",
         )
     error = numbers["error"]
     if error is not None and error < 0:

@@ -456,3 +456,11 @@ def test_lines_approach_an_ideotype(tmp_path: Path, goal: str) -> None:
         assert f"* {goal}, {name}: Standing variation gives" in tables
     rows = re.findall(r"(?m)^\| mean \| .* \| (\S+) ± \S+ \| \S+ ± ", tables)
     assert rows, tables
+
+
+def test_draws_change_which_plant_is_bred(tmp_path: Path) -> None:
+    found = run("calibration.py", tmp_path, "--rough", "--only", "bred")
+    lines = re.findall(r"(?m)^\| (middle|3 draws, \w+) \| (\S+) ±", found)
+    assert len(lines) == 6, found
+    # Plants of the same draws and of others are evaluated by themselves.
+    assert lines[:3] != lines[3:]

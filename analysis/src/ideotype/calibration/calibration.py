@@ -218,7 +218,8 @@ def _row(row: Measurement) -> str:
                  row.position, row.leaves, dict(row.keys)])  # fmt: skip
 
 
-def _scaled(parameters: Sequence[Parameter], values: Numbers) -> Numbers:
+def scale_values(parameters: Sequence[Parameter], values: Numbers) -> Numbers:
+    """Returns values on the scale of emulators [points, parameters]."""
     columns = [p.scaled(values[:, i]) for i, p in enumerate(parameters)]
     return np.stack(columns, axis=1)
 
@@ -226,7 +227,7 @@ def _scaled(parameters: Sequence[Parameter], values: Numbers) -> Numbers:
 def _by_emulator(
     emulator: Emulator, parameters: Sequence[Parameter]
 ) -> Compute:
-    return lambda values: emulator(_scaled(parameters, values))
+    return lambda values: emulator(scale_values(parameters, values))
 
 
 def _posterior(
@@ -266,7 +267,7 @@ def _emulate(
     count = design or usual_design(len(parameters))
     points = design_points(parameters, count, seed)
     rows = model.evaluate(points, about="design")
-    emulator = Emulator.make(_scaled(parameters, points), rows)
+    emulator = Emulator.make(scale_values(parameters, points), rows)
     checks: list[EmulatorCheck] = []
     for number in range(ROUNDS + 1):
         posterior = _posterior(
@@ -284,7 +285,7 @@ def _emulate(
             break
         points, rows = np.vstack([points, near]), np.vstack([rows, direct])
         emulator = Emulator.make(
-            _scaled(parameters, points), rows, near=len(rows) - count
+            scale_values(parameters, points), rows, near=len(rows) - count
         )
     # The last check is independent of the emulator: its error counts.
     return emulator.with_error(
@@ -301,7 +302,7 @@ def _check(
 ) -> EmulatorCheck:
     error = np.sqrt(
         np.nanmean(
-            (emulator(_scaled(parameters, points)) - direct) ** 2, axis=0
+            (emulator(scale_values(parameters, points)) - direct) ** 2, axis=0
         )
     )
     fitted = posterior.observations.is_fitted

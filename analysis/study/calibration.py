@@ -212,7 +212,7 @@ def show_limits(folder: Path) -> None:
     alone."""
     rows = clear_day_rows()
     observations = make_observations(rows, FIELD, keys=SMALL)
-    empty = calibrate(observations, CLEAR_DAY, emulates=True, design=60)
+    empty = calibrate(observations, CLEAR_DAY, design=60)
     table = empty.summary()
     print_table(
         ["parameter", "prior", "low", "high", "shrinkage"],
@@ -232,7 +232,7 @@ def show_limits(folder: Path) -> None:
         values_at(CLEAR_DAY, np.zeros((1, len(CLEAR_DAY)))), seed=100
     )[0]
     found = calibrate(
-        with_values(few, exact), CLEAR_DAY, emulates=True, design=60,
+        with_values(few, exact), CLEAR_DAY, design=60,
         has_discrepancy=False,
     )  # fmt: skip
     print_table(
@@ -454,7 +454,7 @@ def show_twelve(folder: Path) -> None:
     cpu, began = time.process_time(), time.perf_counter()
     result = calibrate(
         with_values(rows, exact[0]), parameters,
-        evaluations=folder / "twelve.csv", emulates=True,
+        evaluations=folder / "twelve.csv",
     )  # fmt: skip
     stored = result.model.evaluations
     print(

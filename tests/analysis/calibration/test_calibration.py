@@ -60,9 +60,7 @@ def test_the_truth_of_made_data_is_found() -> None:
         make_observations(rows(), FIELD, keys=FAST), SIZES, Evaluations(None)
     )
     made = make_observations(rows(*model.evaluate(truth)[0]), FIELD, keys=FAST)
-    result = calibrate(
-        made, SIZES, emulates=True, design=20, has_discrepancy=False
-    )
+    result = calibrate(made, SIZES, design=20, has_discrepancy=False)
     summary = result.summary()
     assert result.samples.has_converged
     assert summary["mode"].to_numpy() == pytest.approx(truth[0], abs=0.02)
@@ -98,7 +96,7 @@ def test_an_interrupted_calibration_has_the_same_bits(tmp_path: Path) -> None:
 
     def run(path: Path) -> pd.DataFrame:
         return calibrate(
-            observations, SIZES, evaluations=path, design=20, emulates=True,
+            observations, SIZES, evaluations=path, design=20,
             most_steps=500,
         ).table()  # fmt: skip
 
@@ -189,7 +187,7 @@ def test_the_command_writes_its_files(
             for x in ("--set", f"{k}={v}")]  # fmt: skip
     words = [
         str(FIELD), "--data", str(data), "--priors", str(priors), "-o",
-        str(out), "--emulator", "yes", "--design", "12", "--draws", "3",
+        str(out), "--design", "12", "--draws", "3",
         "--decision", str(FIELD.parents[0] / "crops/maize_hybrid.toml"),
         "--steps", "500", *fast,
     ]  # fmt: skip

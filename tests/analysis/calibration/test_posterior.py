@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+import ideotype
 from ideotype.calibration import (
     Calibration,
     Emulator,
@@ -91,6 +92,15 @@ def test_a_linear_model_has_its_known_posterior() -> None:
     assert found.z.std(axis=0) == pytest.approx(
         deviation, rel=4 / math.sqrt(2 * size)
     )
+
+
+def test_a_density_that_is_nowhere_is_an_error() -> None:
+    def nowhere(z: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.full(len(z), -math.inf)
+
+    for find in (find_mode, sample):
+        with pytest.raises(ideotype.Error, match="no point of the prior"):
+            find(nowhere, 2, 1)
 
 
 def test_samples_have_the_same_bits_for_the_same_seed() -> None:

@@ -5,6 +5,7 @@ that only act together, and the measurement to make next."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.special import ndtri
 
 from ..common.processors import processors
+from ..errors import Error
 from ..stand.stand import Stand
 from ..validation.page import describe_conditions
 from .calibration import Calibration
@@ -43,6 +45,9 @@ class Predictions:
     is_fitted, is_held_out, before (as files state the parameters), mean, low
     and high (90 % interval of the computed value), and lowest and highest (of
     a measurement: with its error and the discrepancy)."""
+
+    failed: int = 0
+    """The number of draws that could not be computed, and are left out."""
 
     def errors(self, of: str = "is_fitted") -> pd.DataFrame:
         """Returns the root mean square error by quantity before and after
@@ -86,7 +91,9 @@ def predict(
 
     observations: rows of any campaign, by default those of the calibration.
         Another campaign is evaluated at each draw.
-    draws: samples of the posterior."""
+    draws: samples of the posterior.
+
+    Raises Error if more than half of the draws cannot be computed."""
     values = calibration.draws(draws)
     own = calibration.observations
     rows = observations or own
@@ -98,22 +105,25 @@ def predict(
             calibration.model.seed,
         )  # fmt: skip
         computed = model.evaluate(values, about="prediction")
-    chosen = np.linspace(0, len(calibration.samples.z) - 1, draws)
-    scales = calibration.discrepancies[np.round(chosen).astype(int)]
-    names = calibration.posterior.quantities
-    deviation = np.tile(rows.error, (draws, 1))
-    for i, row in enumerate(rows.rows):
-        if row.quantity in names:
-            scale = scales[:, names.index(row.quantity)]
-            deviation[:, i] = np.hypot(deviation[:, i], scale)
+    is_known = np.isfinite(computed).all(axis=1)
+    if 2 * is_known.sum() < draws:
+        raise Error(
+            f"only {is_known.sum()} of {draws} draws of the posterior can be "
+            "computed; narrow the priors"
+        )
+    computed = computed[is_known]
+    deviation = _deviations(
+        calibration, rows, calibration.choose(draws)[is_known]
+    )
     # Measurements at quantiles of their error, evenly spread over draws.
     random = np.random.default_rng(calibration.model.seed)
+    count = len(computed)
     order = random.permuted(
-        np.tile((np.arange(draws) + 0.5) / draws, (len(rows.rows), 1)), axis=1
+        np.tile((np.arange(count) + 0.5) / count, (len(rows.rows), 1)), axis=1
     ).T
     measured = computed + deviation * ndtri(order)
-    low, high = np.nanquantile(computed, [0.05, 0.95], axis=0)
-    lowest, highest = np.nanquantile(measured, [0.05, 0.95], axis=0)
+    low, high = np.quantile(computed, [0.05, 0.95], axis=0)
+    lowest, highest = np.quantile(measured, [0.05, 0.95], axis=0)
     return Predictions(
         pd.DataFrame(
             {
@@ -127,14 +137,31 @@ def predict(
                 "is_fitted": rows.is_fitted,
                 "is_held_out": rows.is_held_out,
                 "before": rows_as_stated(rows, calibration.model.seed),
-                "mean": np.nanmean(computed, axis=0),
+                "mean": computed.mean(axis=0),
                 "low": low,
                 "high": high,
                 "lowest": lowest,
                 "highest": highest,
             }
-        )
+        ),
+        draws - count,
     )
+
+
+def _deviations(
+    calibration: Calibration, rows: Observations, chosen: NDArray[np.intp]
+) -> Numbers:
+    """Returns the standard deviation of a measurement of each row, from its
+    error and the discrepancy of its quantity in the chosen samples
+    [draws, rows]."""
+    scales = calibration.discrepancies[chosen]
+    names = calibration.posterior.quantities
+    deviation = np.tile(rows.error, (len(chosen), 1))
+    for i, row in enumerate(rows.rows):
+        if row.quantity in names:
+            scale = scales[:, names.index(row.quantity)]
+            deviation[:, i] = np.hypot(deviation[:, i], scale)
+    return deviation
 
 
 def combinations(calibration: Calibration) -> pd.DataFrame:
@@ -177,13 +204,8 @@ def pairs(calibration: Calibration) -> pd.DataFrame:
     return pd.DataFrame(lines, columns=columns)
 
 
-def decisions(
-    campaign: Stand | Sequence[Stand], decision: Decision
-) -> Numbers:
+def decisions(stands: Sequence[Stand], decision: Decision) -> Numbers:
     """Returns a decision's number in each stand."""
-    from concurrent.futures import ThreadPoolExecutor
-
-    stands = [campaign] if isinstance(campaign, Stand) else list(campaign)
     with ThreadPoolExecutor(processors()) as pool:
         return np.array(list(pool.map(decision, stands)))
 

@@ -73,10 +73,14 @@ class Calibration:
         """Samples of the discrepancy of each quantity [samples, quantities]."""
         return self.posterior.discrepancies(self.samples.z)
 
+    def choose(self, count: int) -> NDArray[np.intp]:
+        """Returns the indices of evenly spaced samples [draws]."""
+        chosen = np.linspace(0, len(self.samples.z) - 1, count)
+        return np.round(chosen).astype(np.intp)
+
     def draws(self, count: int) -> Numbers:
         """Returns evenly spaced samples [draws, parameters]."""
-        chosen = np.linspace(0, len(self.samples.z) - 1, count)
-        return self.values[np.round(chosen).astype(int)]
+        return self.values[self.choose(count)]
 
     def table(self) -> pd.DataFrame:
         """Returns one row for each sample: parameters, `discrepancy.QUANTITY`
@@ -122,9 +126,9 @@ def calibrate(
     *,
     evaluations: Path | None = None,
     seed: int = 1,
-    emulates: bool | None = None,
+    emulates: bool = True,
     design: int | None = None,
-    most_steps: int | None = None,
+    most_steps: int = 20_000,
     has_discrepancy: bool = True,
 ) -> Calibration:
     """Returns the posterior of parameters, given measurements.
@@ -133,11 +137,11 @@ def calibrate(
         continues with it.
     seed: seed of the design, the sampler and the program. The result has the
         same bits for the same seed on any number of processors.
-    emulates: whether to replace the program by an emulator, by default where
-        plants grow.
+    emulates: whether to replace the program by an emulator. Without one the
+        sampler needs tens of thousands of evaluations until it converges.
     design: evaluations from which the emulator is made first.
-    most_steps: largest number of steps of the sampler, 20,000 with an emulator
-        and 1,000 without.
+    most_steps: largest number of steps of the sampler, after which it ends
+        even if it has not converged.
     has_discrepancy: whether the discrepancy of each quantity is estimated.
 
     Raises Error if nothing can be computed or sampled."""
@@ -157,8 +161,6 @@ def calibrate(
             "rows cannot be computed in the middle of the priors; correct the "
             "priors, or the rows"
         )
-    if emulates is None:
-        emulates = observations.conditions.grows
     checks: list[EmulatorCheck] = []
     emulator: Emulator | None = None
     if emulates and observations.rows:
@@ -180,7 +182,7 @@ def calibrate(
         seed,
         ensembles=4 if emulates else 2,
         block=500 if emulates else 100,
-        most=most_steps or (20_000 if emulates else 1000),
+        most=most_steps,
     )
     return Calibration(
         observations,

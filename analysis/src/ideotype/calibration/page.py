@@ -31,11 +31,17 @@ def describe_work(calibration: Calibration) -> str:
     """Returns sentences about convergence and evaluations."""
     samples, stored = calibration.samples, calibration.model.evaluations
     state = "has converged" if samples.has_converged else "HAS NOT CONVERGED"
+    remedy = (
+        ""
+        if samples.has_converged
+        else "Intervals are not reliable; raise the number of steps (--steps), "
+        "or use fewer parameters. "
+    )
     lines = (
         f"The sampler {state}: the largest R-hat is {samples.r_hat.max():.3f}, "
         f"the longest autocorrelation time {samples.autocorrelation.max():.0f} "
         f"of {samples.steps} steps, and the smallest effective size "
-        f"{samples.effective_size:.0f}. "
+        f"{samples.effective_size:.0f}. {remedy}"
         f"The program computed {len(stored)} points in {stored.seconds:.1f} s of "
         f"processor time; {calibration.model.failed} failed."
     )
@@ -120,7 +126,11 @@ def format_page(
     for name, part, column in parts:
         table = part.errors(column)
         if len(table):
-            lines += [f"Rows {name}:", "", *format_table(table, titles), ""]
+            left_out = f", without {part.failed} failed draws" * (
+                part.failed > 0
+            )
+            lines += [f"Rows {name}{left_out}:", ""]
+            lines += [*format_table(table, titles), ""]
     lines += [
         "Errors are root mean squares; before: with the parameters of the "
         "files.",

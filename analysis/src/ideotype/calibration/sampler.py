@@ -26,6 +26,11 @@ doi:10.1214/20-BA1221)."""
 FEWEST_TIMES = 50
 """The fewest autocorrelation times that a chain must be long."""
 
+_NO_DENSITY = (
+    "no point of the prior has a probability; widen the errors, or correct the "
+    "priors"
+)
+
 
 @dataclass(frozen=True)
 class Samples:
@@ -43,13 +48,13 @@ class Samples:
     """Steps of each ensemble."""
     evaluations: int
     """Number of evaluated points."""
+    chained: int
+    """Number of points of all chains after burn-in, before thinning."""
 
     @property
     def effective_size(self) -> float:
         """The effective number of samples of the slowest dimension."""
-        return float(self._walker_steps / self.autocorrelation.max())
-
-    _walker_steps: int = 0
+        return float(self.chained / self.autocorrelation.max())
 
     @property
     def has_converged(self) -> bool:
@@ -63,7 +68,9 @@ class Samples:
 def find_mode(
     density: Density, size: int, seed: int, generations: int = 100
 ) -> Numbers:
-    """Returns the point of the highest density [dimensions]."""
+    """Returns the point of the highest density [dimensions].
+
+    Raises Error if no point has a density."""
     search = Search(
         np.full(size, -4.0),
         np.full(size, 4.0),
@@ -72,13 +79,16 @@ def find_mode(
         population=8 + 2 * size,
         seed=seed,
     )
-    best, highest = np.zeros(size), -np.inf
+    best: Numbers | None = None
+    highest = -np.inf
     for _ in range(generations):
         points = search.ask()
         values = density(points)
         search.tell(np.where(np.isfinite(values), values, np.nan))
         if np.max(values) > highest:
             best, highest = points[np.argmax(values)].copy(), np.max(values)
+    if best is None:
+        raise Error(_NO_DENSITY)
     return best
 
 
@@ -179,7 +189,4 @@ def _starts(
         points = np.vstack([points, more[np.isfinite(density(more))]])
         if len(points) >= walkers:
             return points[:walkers]
-    raise Error(
-        "no point of the prior has a probability; widen the errors, or correct "
-        "the priors"
-    )
+    raise Error(_NO_DENSITY)

@@ -52,13 +52,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add("--decision", type=Path, metavar="PLANT",
         help="rank measurements by their value for the gain of a plant (a "
         "history or crop file) over the baseline")  # fmt: skip
-    add("--emulator", choices=["auto", "yes", "no"], default="auto",
-        help="whether to replace the program by an emulator (auto: where plants "
-        "grow)")  # fmt: skip
+    add("--no-emulator", action="store_true",
+        help="evaluate each point of the sampler, tens of thousands, instead "
+        "of an emulator")  # fmt: skip
     add("--design", type=number_within(int, 10, 100_000), metavar="N",
         help="evaluations from which the emulator is made first")  # fmt: skip
     add("--steps", type=number_within(int, 100, 10_000_000), metavar="N",
-        help="largest number of steps of the sampler")  # fmt: skip
+        default=20_000, help="largest number of steps of the sampler, which "
+        "ends as it converges (default: 20000)")  # fmt: skip
     add("--seed", type=number_within(int, 0, 2**31), default=1)
     options = parser.parse_args(arguments)
     try:
@@ -98,7 +99,7 @@ def _calibrate(options: argparse.Namespace) -> int:
         parameters,
         evaluations=folder / EVALUATIONS,
         seed=options.seed,
-        emulates={"auto": None, "yes": True, "no": False}[options.emulator],
+        emulates=not options.no_emulator,
         design=options.design,
         most_steps=options.steps,
     )

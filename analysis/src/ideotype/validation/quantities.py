@@ -94,6 +94,9 @@ class Quantity:
     value: Callable[[Seen, Measurement], float]
     check: Callable[[Seen, Measurement], None] | None = None
     """Raises Error for a row that cannot be computed, before it is."""
+    reported: str = ""
+    """The quantity of the program without which this one is not known; none
+    for those that every campaign has."""
 
 
 def _mean_light(seen: Seen, row: Measurement) -> tuple[float, float]:
@@ -192,7 +195,7 @@ def _rate(name: str, unit: str, meaning: str) -> Quantity:
         begin, end = (60 * x.hour + x.minute for x in row.hours)
         return seen.number(name) * 24 * 60 / (end - begin)
 
-    return Quantity(unit, meaning, value)
+    return Quantity(unit, meaning, value, reported=name)
 
 
 QUANTITIES = {
@@ -256,22 +259,23 @@ QUANTITIES = {
 """The quantities by name. Tables may also name any quantity without axes of
 `Stand.quantities`."""
 
-_RATES = {"gross_assimilation", "net_assimilation", "transpiration"}
-"""The quantities that only some campaigns compute."""
-
 
 def find_quantity(seen: Seen, name: str) -> Quantity:
     """Returns a quantity by its name. Raises Error for unknown names."""
     known = seen.stand.quantities.set_index("name")
     plain = known[[not axes for axes in known["axes"]]]
-    if name in QUANTITIES and (name not in _RATES or name in plain.index):
-        return QUANTITIES[name]
+    ours = {
+        key: quantity
+        for key, quantity in QUANTITIES.items()
+        if not quantity.reported or quantity.reported in plain.index
+    }
+    if name in ours:
+        return ours[name]
     if name not in plain.index:
-        names = [*(set(QUANTITIES) - _RATES), *plain.index]
         raise Error(
             f"{seen.stand.name} has no quantity '{name}'"
             + (
-                did_you_mean(name, names)
+                did_you_mean(name, [*ours, *plain.index])
                 or "; ideotype evaluate CAMPAIGN lists those of the campaign"
             )
         )

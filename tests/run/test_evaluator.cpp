@@ -329,6 +329,44 @@ TEST_F(Study, RowsHaveIndependentNoiseOfKnownSize) {
     }
 }
 
+//! Keys of growth change the days of the season, and keys of leaves the layers
+//! up to the highest leaf; rows have the same quantities nevertheless.
+TEST(StudiesOfASeason, KeysOfGrowthAndOfLeavesHaveTheQuantitiesOfTheBaseline) {
+    const Campaign season = read_study(
+        std::string(IDEOTYPE_CAMPAIGNS) + "/growing_season.toml",
+        {"objective={maximise=\"grain_yield\"}", "light.tolerance=0",
+         "light.paths=64", "light.stages=4", "field.rows=1", "field.plants=1",
+         "sensitivity.traits=false",
+         "sensitivity.keys=["
+         "{key=\"plant.baseline.growth.maturity\", range=[700, 970]},"
+         "{key=\"plant.baseline.grain.kernels\", range=[200, 600]},"
+         "{key=\"plant.baseline.plasticity.reference\", range=[2, 20]}]"});
+    EXPECT_TRUE(season.varied.has_growth);
+    CanopyEvaluator evaluator(season, Device::supported_isas().back());
+    const Task task;
+    const OutcomeSchema& schema = evaluator.schema(task);
+    EXPECT_FALSE(schema.measured.has("grain_by_day"));
+    const auto yield = [&](double maturity, double kernels, double reference) {
+        Genome genome = baseline_genome(season);
+        genome.insert(genome.end(), {maturity, kernels, reference});
+        const Outcome outcome = evaluator.evaluate(task, genome);
+        EXPECT_TRUE(has_form(schema, outcome));
+        return outcome.objectives.at(0).mean;
+    };
+    const double usual = yield(970, 490, 7.5);
+    EXPECT_GT(usual, yield(700, 490, 7.5));
+    EXPECT_GT(usual, yield(970, 200, 7.5));
+    EXPECT_NE(usual, yield(970, 490, 20));
+    // Quantities by day stay if no key changes the season.
+    const Campaign same = read_study(
+        std::string(IDEOTYPE_CAMPAIGNS) + "/growing_season.toml",
+        {"objective={maximise=\"grain_yield\"}",
+         "sensitivity.keys=[{key=\"photosynthesis.rd\", range=[0.4, 1.2]}]"});
+    EXPECT_FALSE(same.varied.has_growth);
+    EXPECT_TRUE(outcome_schema(same, cases(same)[0], same.sampling)
+                    .measured.has("grain_by_day"));
+}
+
 TEST_F(Study, KeysThatContradictEachOtherFailTheRow) {
     const Campaign dark = read_study(
         std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",

@@ -23,7 +23,13 @@ from .emulator import Emulator
 from .likelihood import Posterior
 from .model import Evaluations, Model
 from .observations import Observations, make_observations, read_observations
-from .parameters import Parameter, estimates, read_parameters, values_at
+from .parameters import (
+    Parameter,
+    estimates,
+    read_parameters,
+    read_priors,
+    values_at,
+)
 from .sampler import Samples, find_mode, sample
 
 __all__ = [
@@ -51,6 +57,7 @@ __all__ = [
     "predict",
     "read_observations",
     "read_parameters",
+    "read_priors",
     "sample",
     "stands_at",
     "values_at",

@@ -161,6 +161,15 @@ def read_parameters(path: Path) -> list[Parameter]:
     return parameters
 
 
+def read_priors(path: Path) -> list[Parameter]:
+    """Returns the priors of a file: those of its tables [[parameter]], or of
+    the estimates of a crop file. Raises Error as read_parameters() and
+    estimates()."""
+    require_file(path)
+    has_tables = "[[parameter]]" in path.read_text(encoding="utf-8")
+    return read_parameters(path) if has_tables else estimates(path)
+
+
 def _parameter(
     table: Mapping[str, Any], where: str
 ) -> tuple[list[str], Parameter | None]:

@@ -19,6 +19,7 @@ from ..history.file import HistoryError
 from ..history.interval import ENOUGH, ONE_SEED, Interval
 from ..history.results import count_evaluations
 from .blocks import Answer, Block, Fact, Note, Table
+from .estimates import DrawnGains, describe_drawn
 from .organ_split import Split, describe_splits
 
 _COSTS = ("leaf_nitrogen", "nitrogen", "water_use", "transpiration")
@@ -37,11 +38,14 @@ _MEASURES = (
 
 
 def make_answer(
-    cases: Sequence[Case], splits: Mapping[str, Split | Note] = {}
+    cases: Sequence[Case],
+    splits: Mapping[str, Split | Note] = {},
+    drawn: Mapping[str, DrawnGains | Note] = {},
 ) -> Answer:
     """Returns the gain of the best plants, its uncertainty, the costs of the
     plants and of the search, and the limits of the search. `splits` are the
-    gains with leaves alone by the names of cases.
+    gains with leaves alone, and `drawn` those with other estimates of the crop,
+    by the names of cases.
 
     Raises HistoryError if nothing is evaluated yet."""
     known = select_known(cases)
@@ -51,7 +55,7 @@ def make_answer(
     return Answer(
         gain,
         claim,
-        [*map(_keep_units, sure)],
+        [*map(_keep_units, (*sure, *describe_drawn(drawn)))],
         [*map(_keep_units, (*_search_costs(known), *_plant_costs(known)))],
         [*_limits(known)],
         is_provisional=not all(case.is_final for case in known),

@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -175,28 +175,31 @@ def split_case(case: Case) -> Split | Note | None:
     is_of_leaves = goal.name.rpartition(".")[2] in _OF_LEAVES
     if not variants or not is_of_leaves or goal.sign < 0:
         return None
-    plants = np.array(
-        [plant.row.genome[0] for plant in (case.baseline, case.best)]
-    )
     try:
-        values = [_evaluate(case, each, plants) for each in variants]
+        values = [evaluate_pair(case, each.settings) for each in variants]
     except Error as reason:
         return Note(f"The gain of {case.name} is not split: {reason}.")
     return split_gain(variants, values, goal.unit)
 
 
-def _evaluate(case: Case, variant: Variant, plants: Numbers) -> Numbers:
-    """Returns the first objective by randomisation [plants,
-    randomisations]."""
+def evaluate_pair(case: Case, settings: Mapping[str, Any]) -> Numbers:
+    """Returns the first objective of the baseline and the best plant of a case
+    by randomisation [2, randomisations], evaluated as finalists are, with keys
+    that replace those of the campaign.
+
+    Raises Error if one of them cannot be evaluated."""
     from ..stand.stand import Stand
 
+    plants = np.array(
+        [plant.row.genome[0] for plant in (case.baseline, case.best)]
+    )
     stand = Stand.from_history(
-        case.best_history.path, settings=variant.settings, same_isa=False
+        case.best_history.path, settings=settings, same_isa=False
     )
     evaluated = stand.evaluate(plants, [], final=True)
     for message in evaluated.message.values:
         if message:
-            raise Error(f"{variant.title}: {message}")
+            raise Error(str(message))
     return np.asarray(evaluated.objective_by_randomisation[:, 0])
 
 
@@ -212,17 +215,20 @@ def split_cases(
         for each in pool.map(split_case, cases):
             splits.append(each)
             tell(len(splits), len(cases))
-    return name_splits(cases, splits)
+    return name_results(cases, splits)
 
 
-def name_splits(
-    cases: Sequence[Case], splits: Iterable[Split | Note | None]
-) -> dict[str, Split | Note]:
-    """Returns the splits of the cases that have one by the names of the
+_Result = TypeVar("_Result")
+
+
+def name_results(
+    cases: Sequence[Case], results: Iterable[_Result | None]
+) -> dict[str, _Result]:
+    """Returns the results of the cases that have one by the names of the
     cases."""
     return {
         case.name: each
-        for case, each in zip(cases, splits, strict=True)
+        for case, each in zip(cases, results, strict=True)
         if each is not None
     }
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
+from ..calibration.parameters import Parameter
 from ..common.output import require_output, write_file
 from ..figures.comparison import describe_intervals, draw_energy, draw_gains
 from ..figures.cross import Cross, draw_cross
@@ -23,12 +24,13 @@ from . import tables
 from .answer import make_answer, tabulate_leaves
 from .blocks import Note, Section, Viewer
 from .case_section import make_plants, make_section
+from .estimates import DrawnGains, evaluate_draws
 from .gallery import draw_all
 from .light_tables import describe_balance, tabulate_organs
 from .organ_split import (
     Split,
     columns_of,
-    name_splits,
+    name_results,
     split_case,
     tabulate_splits,
 )
@@ -91,6 +93,7 @@ def write_report(
     plants: Sequence[str | Path] = (),
     has_split: bool = True,
     selection: Path | None = None,
+    estimates: Sequence[Parameter] = (),
 ) -> Written:
     """Writes report.html, results.csv, the figure for a paper (figure.pdf and
     figure.png) and figures/ into the folder, over those of an earlier report.
@@ -104,7 +107,8 @@ def write_report(
     their name get separate figures; without words, all cases do if there are
     few. `plants` are files of the user's plants for the 3D view, as for
     own_plants(). With `has_split` the best plant of each case and its baseline
-    are re-evaluated with leaves alone. `selection` is a folder that
+    are re-evaluated with leaves alone, and with `estimates` under 20 draws of
+    these parameters of the crop. `selection` is a folder that
     ideotype.selection.write_selection() has written; its programme is a
     section of the page.
 
@@ -131,7 +135,15 @@ def write_report(
     single = _choose_cases(cases, figures_of)
     with start_workers(jobs) as run:
         splits = (
-            name_splits(cases, run(split_case, cases)) if has_split else {}
+            name_results(cases, run(split_case, cases)) if has_split else {}
+        )
+        drawn = (
+            name_results(
+                cases,
+                run(partial(evaluate_draws, parameters=estimates), cases),
+            )
+            if estimates
+            else {}
         )
         files = [Path(path) for path in plants]
         built = list(run(partial(make_plants, plant_files=files), cases))
@@ -139,7 +151,7 @@ def write_report(
             plants if isinstance(plants, Plants) else None for plants in built
         ]
         searched = [
-            _result(study, cases, shapes, splits),
+            _result(study, cases, shapes, splits, drawn),
             _gains(cases, cross, splits),
             _programme(selection),
             _places(cases, cross),
@@ -219,6 +231,7 @@ def _result(
     cases: Sequence[Case],
     shapes: Sequence[Plants | None],
     splits: Mapping[str, Split | Note],
+    drawn: Mapping[str, DrawnGains | Note],
 ) -> Section:
     """Returns the first screen of the page, with the leaves of the best
     plant."""
@@ -228,7 +241,8 @@ def _result(
     known = [case for case in cases if case.pairs]
     if not known:
         return section
-    section.blocks.append(make_answer(cases, splits))
+    section.blocks.append(make_answer(cases, splits, drawn))
+    section.blocks += [x for x in drawn.values() if isinstance(x, Note)]
     best, plants = select_best(cases, shapes)
     of_case = f" of {best.name}, the largest gain" if len(known) > 1 else ""
     if plants is not None:

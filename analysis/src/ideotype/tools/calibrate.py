@@ -88,11 +88,7 @@ def _calibrate(options: argparse.Namespace) -> int:
         (table, c.read_observations(table, campaign))
         for campaign, table in options.predict
     ]
-    parameters = (
-        c.read_parameters(options.priors)
-        if options.priors
-        else c.estimates(_crop_file(options.campaign))
-    )
+    parameters = c.read_priors(options.priors or _crop_file(options.campaign))
     folder.mkdir(parents=True, exist_ok=True)
     result = c.calibrate(
         observations,

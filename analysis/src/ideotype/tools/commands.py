@@ -94,6 +94,12 @@ def report(arguments: Sequence[str] | None = None) -> int:
         "-j", "--jobs", type=int, default=0, metavar="N",
         help="number of processes that draw figures (default: one per core)",
     )  # fmt: skip
+    add(
+        "--estimates", type=Path, metavar="FILE",
+        help="a crop file with estimates that state a range (# E: LOW to HIGH), "
+        "or priors as for ideotype calibrate: the report states the gain under "
+        "20 draws of them",
+    )  # fmt: skip
     words = sys.argv[1:] if arguments is None else arguments
     parser.set_defaults(command=shlex.join(["ideotype", "report", *words]))
     return guarded(parser, arguments, _report)
@@ -194,12 +200,14 @@ def _summarize(options: argparse.Namespace, study: Study) -> None:
 
 def _report(options: argparse.Namespace, study: Study) -> None:
     # These imports are slow, and wrong command lines need not wait for them.
+    from ..calibration.parameters import read_priors
     from ..figures.cross import read_cross
     from ..report.report import write_report
 
     # Processes use all cores; threads of libraries would compete with them.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     cross = read_cross(options.cross) if options.cross else None
+    estimates = read_priors(options.estimates) if options.estimates else []
     with Progress("figures drawn") as progress:
         written = write_report(
             study,
@@ -213,6 +221,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
             plants=options.plant,
             has_split=options.has_split,
             selection=options.selection,
+            estimates=estimates,
         )
     size = written.page.stat().st_size / 1e6
     folder = written.page.parent

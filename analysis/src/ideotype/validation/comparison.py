@@ -66,6 +66,23 @@ def changed(
     return crop
 
 
+def change_settings(
+    keys: Mapping[str, Any], crop: dict[str, Any]
+) -> dict[str, Any]:
+    """Returns keys of a campaign, with those that change the baseline applied
+    to its crop. Raises Error like changed()."""
+    settings, changes = _split(keys)
+    if changes:
+        settings["plant.baseline"] = changed(crop, changes)
+    return settings
+
+
+def _split(keys: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Returns the keys of a campaign, and those that change the baseline."""
+    changes = {k: v for k, v in keys.items() if k.startswith((LEAF, CROP))}
+    return {k: v for k, v in keys.items() if k not in changes}, changes
+
+
 def _find_table(
     crop: dict[str, Any], name: str, wanted: str, key: str
 ) -> dict[str, Any]:
@@ -179,8 +196,7 @@ class Conditions:
     def settings(self, keys: Mapping[str, Any]) -> list[str]:
         """Returns the settings of the campaign for the given keys. Changes of
         the baseline are applied to its crop."""
-        changes = {k: v for k, v in keys.items() if k.startswith((LEAF, CROP))}
-        plain = {k: v for k, v in keys.items() if k not in changes}
+        plain, changes = _split(keys)
         settings = format_settings(plain)
         names = _core.case_names(str(self.campaign), settings)
         if len({name for name, _ in names}) > 1:

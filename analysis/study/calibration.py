@@ -16,10 +16,6 @@ calibration.py FOLDER [--measured FOLDER] [--only PART] [--sets N] [--rough]
 * validation: facts of `ideotype validate` about growing fields at the mean of
   that posterior.
 * twelve: the time of a calibration of 12 parameters.
-* shares: the variance of dry matter and grain of a season by photosynthesis,
-  phyllochron, respiration and architecture (Rutjens and others 2024,
-  doi:10.1093/insilicoplants/diae011, found most parameters of architecture
-  unimportant for yield).
 * shared: the share of ray tracing in the time of an evaluation, which draws that
   change physiology alone could share.
 
@@ -512,86 +508,6 @@ def show_validation(folder: Path) -> None:
     print_table(["fact", "", "before: points that agree", "after"], lines)
 
 
-#: Ranges of a season: photosynthesis, respiration and phyllochron (E: a fifth to
-#: a third around the defaults, unless the crop file has a range), and
-#: architecture (E: 15 % and 25 % of all leaves, about two standard deviations of
-#: lines).
-OF_SEASON = {
-    "photosynthesis": [
-        Parameter("photosynthesis.vmax", 30, 48),
-        Parameter("photosynthesis.alpha", 0.057, 0.077),
-    ],
-    "phyllochron": [Parameter("crop.growth.interval", 38, 50)],
-    "respiration": [
-        Parameter("photosynthesis.rd", 0.4, 1.2),
-        Parameter("crop.stalk.maintenance", 0.010, 0.020),
-        Parameter("crop.growth.ear_maintenance", 0.005, 0.015),
-    ],
-    "leaf area": [
-        Parameter("leaf.all.length", 0.85, 1.15, is_factor=True),
-        Parameter("leaf.all.width", 0.85, 1.15, is_factor=True),
-    ],
-    "leaf angles": [
-        Parameter("leaf.all.insertion_angle", 0.5, 1.5, is_factor=True),
-        Parameter("leaf.all.curvature", 0.75, 1.25, is_factor=True),
-    ],
-    "kernels": [Parameter("crop.grain.kernels", 385, 600)],
-}
-
-
-def show_shares(folder: Path, design: int) -> None:
-    """Prints shares of the variance of dry matter and grain (Sobol' indices of
-    an emulator)."""
-    from SALib.analyze import sobol
-    from SALib.sample import sobol as points_of
-
-    parameters = [p for group in OF_SEASON.values() for p in group]
-    rows = [
-        Measurement(name, "t ha-1", math.nan, math.nan, 1)
-        for name in ("dry_matter", "grain_yield")
-    ]
-    model = Model(
-        make_observations(rows, GAINESVILLE, keys=SMALL),
-        parameters,
-        Evaluations(folder / "shares.csv", f"# shares, {design}"),
-    )
-    points = design_points(parameters, design, 1)
-    values = model.evaluate(points, about="design")
-    emulator = Emulator.make(scale_values(parameters, points), values)
-    problem = {
-        "num_vars": len(parameters),
-        "names": [p.key for p in parameters],
-        "bounds": [[p.low, p.high] for p in parameters],
-        "groups": [g for g, part in OF_SEASON.items() for _ in part],
-    }
-    sampled = points_of.sample(problem, 1024, seed=1, calc_second_order=False)
-    computed = emulator(scale_values(parameters, sampled))
-    found = [
-        sobol.analyze(problem, x, calc_second_order=False, seed=1)
-        for x in computed.T
-    ]
-    print_table(
-        ["group", *(f"{row.quantity}, {x}" for row in rows for x in ("first", "total"))],
-        [
-            [
-                group,
-                *(
-                    f"{x[name][i]:.2f} ± {x[name + '_conf'][i]:.2f}"
-                    for x in found
-                    for name in ("S1", "ST")
-                ),
-            ]
-            for i, group in enumerate(OF_SEASON)
-        ],
-    )  # fmt: skip
-    share = 1 - emulator.error**2 / values.var(axis=0)
-    print(
-        f"{design} evaluations, {model.evaluations.seconds:.0f} s; deviation "
-        f"{values.std(axis=0).round(2)} t ha-1; the emulator explains "
-        f"{share.round(2)} of the variance in cross-validation"
-    )
-
-
 def main() -> None:
     parser = parser_of(__doc__)
     parser.add_argument("folder", type=folder_at)
@@ -616,7 +532,6 @@ def main() -> None:
         ),
         "twelve": lambda: show_twelve(options.folder),
         "shared": show_shared,
-        "shares": lambda: show_shares(options.folder, 40 if rough else 250),
         "validation": lambda: show_validation(options.folder),
     }
     for name, show in parts.items():

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -177,6 +178,12 @@ std::string crop_text(const Campaign& campaign, const Plant& baseline,
 
 //! Makes a campaign from a checked specification. A pure function.
 Campaign resolve(const Spec& spec);
+
+//! Returns a campaign with other values of variable keys, without texts.
+//! @param numbers numbers of the keys, as for set_keys()
+//! @throws InputError if the keys contradict each other.
+Campaign with_keys(const Campaign& campaign, const std::vector<KeyFactor>& keys,
+                   std::span<const double> numbers);
 
 //! Sets varied keys from the last numbers of a genome, removes these numbers
 //! from the genome, and returns the resulting campaign without texts.

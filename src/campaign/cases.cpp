@@ -36,7 +36,7 @@ struct Axes {
 
 //! The entry of a case or scenario on each axis.
 struct AxisEntries {
-    std::size_t site, day, spacing, traits, replicate;
+    std::size_t site, day, spacing, traits, replicate, draw;
 };
 
 AxisEntries entries_of(const Axes& axes, std::size_t index) {
@@ -129,7 +129,13 @@ Case scenario_of(const Campaign& campaign, const AxisEntries& entry,
     if (is_over(campaign.spec, "site")) one.weight *= one.site.weight;
     one.spacing = campaign.spec.spacings[entry.spacing].value;
     one.traits = campaign.spec.trait_sets[entry.traits].value;
-    add_stages(campaign, one);
+    if (!campaign.spec.draws.empty()) {
+        const auto& [name, draw] = campaign.spec.draws[entry.draw];
+        one.draw_name = name;
+        one.drawn = std::make_shared<const Campaign>(
+            with_keys(campaign, factors_of(draw), draw.values));
+    }
+    add_stages(campaign_in(campaign, one), one);
     return one;
 }
 
@@ -194,6 +200,7 @@ Case Cases::at(std::size_t i) const {
         std::iota(places.begin(), places.end(), of_cases == 1 ? 0 : index);
         return places;
     };
+    const std::size_t draws = campaign.spec.draws.size();
     std::vector<Case> scenarios;
     for (const std::size_t site :
          entries(axes.sites, campaign.spec.sites.size(), entry.site))
@@ -203,13 +210,17 @@ Case Cases::at(std::size_t i) const {
                      entry.day))
             for (const std::size_t spacing :
                  entries(axes.spacings, campaign.spec.spacings.size(),
-                         entry.spacing)) {
-                Case scenario = scenario_of(
-                    campaign,
-                    {site, day, spacing, entry.traits, entry.replicate}, named);
-                if (scenario.weight > 0)
-                    scenarios.push_back(std::move(scenario));
-            }
+                         entry.spacing))
+                for (std::size_t draw = 0;
+                     draw < std::max<std::size_t>(1, draws); ++draw) {
+                    Case scenario = scenario_of(campaign,
+                                                {site, day, spacing,
+                                                 entry.traits, entry.replicate,
+                                                 draw},
+                                                named);
+                    if (scenario.weight > 0)
+                        scenarios.push_back(std::move(scenario));
+                }
     Case one = scenarios.front();
     static_cast<CaseName&>(one) = named;
     one.stages.clear();

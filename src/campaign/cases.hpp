@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -52,6 +53,10 @@ struct CaseName {
 //! A combination of axis entries: one search with one history. Site, day and
 //! spacing are those of the first scenario.
 struct Case : CaseName {
+    //! The draw of a scenario, and the campaign with its values; none: the
+    //! campaign has no draws.
+    std::string draw_name{};
+    std::shared_ptr<const Campaign> drawn{};
     Site site{};
     DaySpan day{};  //!< day, if the case has no climate
     Spacing spacing{};
@@ -75,6 +80,13 @@ std::size_t bred_plants(const Campaign& campaign);
 
 //! Returns the scenarios of a case. There is at least one.
 std::vector<Case> scenarios(const Case& chosen);
+
+//! Returns the campaign with the values of the draw of a case, if it is of a
+//! draw.
+inline const Campaign& campaign_in(const Campaign& campaign,
+                                   const Case& chosen) {
+    return chosen.drawn ? *chosen.drawn : campaign;
+}
 
 //! Returns each scenario of a case at each of its stages.
 std::vector<Case> evaluated_cases(const Case& chosen);

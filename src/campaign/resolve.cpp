@@ -7,6 +7,7 @@
 #include "campaign/checks/checks.hpp"
 #include "campaign/leaves.hpp"
 #include "campaign/meshes.hpp"
+#include "ideotype/core/contract.hpp"
 #include "search/sensitivity_design.hpp"
 #include "spec/varied_keys.hpp"
 
@@ -210,10 +211,8 @@ Campaign resolve(const Spec& spec) {
     return campaign;
 }
 
-Campaign at_keys(const Campaign& campaign, Genome& genome) {
-    const std::vector<KeyFactor>& keys = campaign.varied.keys;
-    const std::size_t plain = count_genes(campaign);
-    if (keys.empty() || genome.size() != plain + keys.size()) return campaign;
+Campaign with_keys(const Campaign& campaign, const std::vector<KeyFactor>& keys,
+                   std::span<const double> numbers) {
     Campaign varied;
     varied.spec = campaign.spec;
     varied.search = campaign.search;
@@ -221,14 +220,23 @@ Campaign at_keys(const Campaign& campaign, Genome& genome) {
     varied.has_light_by_row = campaign.has_light_by_row;
     varied.stop = campaign.stop;
     varied.final_rule = campaign.final_rule;
-    set_keys(varied.spec, keys, std::span(genome).subspan(plain));
-    genome.resize(plain);
+    set_keys(varied.spec, keys, numbers);
     const Problems problems(campaign.spec.name);
     check_variable(varied.spec, problems);
     problems.throw_if_any();
     resolve_stand(varied);
     varied.reach = campaign.reach;
     return varied;
+}
+
+Campaign at_keys(const Campaign& campaign, Genome& genome) {
+    const std::vector<KeyFactor>& keys = campaign.varied.keys;
+    const std::size_t plain = count_genes(campaign);
+    if (keys.empty() || genome.size() != plain + keys.size()) return campaign;
+    const Genome numbers(genome.begin() + static_cast<std::ptrdiff_t>(plain),
+                         genome.end());
+    genome.resize(plain);
+    return with_keys(campaign, keys, numbers);
 }
 
 }  // namespace ideotype

@@ -77,7 +77,7 @@ struct Values {
     const char* range = nullptr;  //!< range in words
     Form form = Form::plain;
     std::size_t count = 0;               //!< length of a list; 0: any length
-    std::array<const char*, 4> texts{};  //!< allowed texts; none: any text
+    std::array<const char*, 5> texts{};  //!< allowed texts; none: any text
     std::vector<std::string> (*known)() = nullptr;  //!< allowed texts
     Names names = Names::none;  //!< kind of names that are allowed
     bool is_by_leaf = false;    //!< whether a list has one value per leaf

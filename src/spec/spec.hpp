@@ -90,6 +90,14 @@ using NamedClimate = Named<Climate>;
 using NamedSpacing = Named<Spacing>;
 using NamedTraits = Named<TraitSet>;
 
+//! Values of numeric keys of a campaign that are drawn together, such as from a
+//! posterior distribution.
+struct Draw {
+    std::vector<std::string> keys;
+    std::vector<double> values;  //!< one for each key
+};
+using NamedDraw = Named<Draw>;
+
 //! A trait of a crop file. One of these lists names the measures that it
 //! changes.
 struct TraitEntry {
@@ -399,6 +407,13 @@ struct KeyFactor {
     bool is_known = true;  //!< whether `values` have the campaign's value
 };
 
+//! Returns the keys of a draw.
+inline std::vector<KeyFactor> factors_of(const Draw& draw) {
+    std::vector<KeyFactor> factors;
+    for (const std::string& key : draw.keys) factors.push_back({key, {}});
+    return factors;
+}
+
 //! Returns the bounds of the numbers of a varied key. Those of values are their
 //! entries.
 inline Range bounds_of(const KeyFactor& factor) {
@@ -460,7 +475,8 @@ struct Spec {
     std::vector<NamedClimate> climates;  //!< climates, which replace days
     std::vector<NamedSpacing> spacings;
     std::vector<NamedTraits> trait_sets{{"all", {}}};
-    FieldForm field;  //!< field; each case sets the spacing
+    std::vector<NamedDraw> draws;  //!< draws of keys, all of them scenarios
+    FieldForm field;               //!< field; each case sets the spacing
     PlantSpec plant;
     std::vector<ComponentSpec> components;
     std::vector<PanelEntry> panels;

@@ -16,6 +16,7 @@ inline constexpr std::size_t most_traits = 100;
 //! Largest number of entries of an axis.
 inline constexpr std::size_t most_entries = 10'000;
 inline constexpr std::size_t most_cases = 100'000;
+inline constexpr std::size_t most_draws = 1000;
 
 extern const Description spec_table;  //!< campaigns, read into Spec
 extern const Description crop_table;  //!< crop files, read into CropSpec

@@ -2,6 +2,7 @@
 #include "across_scenarios.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "ideotype/canopy/quantities.hpp"
@@ -24,6 +25,7 @@ std::string label(const Campaign& campaign, const Case& scenario) {
     add(is_over(campaign.spec, "day") || is_over(campaign.spec, "climate"),
         scenario.day_name);
     add(is_over(campaign.spec, "spacing"), scenario.spacing_name);
+    add(is_over(campaign.spec, "draw"), scenario.draw_name);
     return text;
 }
 
@@ -45,13 +47,13 @@ AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
     std::vector<QuantitySet> sets;
     std::vector<std::string> labels;
     for (const Case& scenario : scenarios(chosen)) {
+        const Campaign& here = campaign_in(campaign, scenario);
         stages_.push_back(std::max<std::size_t>(1, scenario.stages.size()));
         sets.push_back(
             scenario.stages.empty()
-                ? canopy_quantities(scene_of(campaign, scenario),
-                                    canopy_layers(campaign),
-                                    details_of(campaign))
-                : over_stages_.emplace_back(campaign, scenario).measured());
+                ? canopy_quantities(scene_of(here, scenario),
+                                    canopy_layers(here), details_of(here))
+                : over_stages_.emplace_back(here, scenario).measured());
         labels.push_back(label(campaign, scenario));
         weights_.push_back(scenario.weight);
     }

@@ -116,7 +116,7 @@ void LightCue::prepare(const Device& device) {
     for (const Case& each : cases_) {
         std::vector<Comparison>& comparisons = comparisons_.emplace_back();
         for (const std::size_t c : components_) {
-            const Campaign one = alone(campaign_, c);
+            const Campaign one = alone(campaign_in(campaign_, each), c);
             const Plasticity& plasticity = one.crop.baseline.plasticity;
             Plant rigid = one.crop.baseline;
             rigid.plasticity = {};
@@ -149,12 +149,13 @@ void LightCue::Response::set_plants(std::size_t number, const Plants& plants,
                                     Scene& scene) {
     const Case& in = cue_.cases_.at(number);
     for (const std::size_t c : cue_.components_) {
+        const Campaign& campaign = campaign_in(cue_.campaign_, in);
         const Plant& line =
-            c < plants.size() ? plants[c] : line_of(cue_.campaign_, c);
+            c < plants.size() ? plants[c] : line_of(campaign, c);
         std::vector<double>& densities = densities_[c];
         if (in.stage->number == 0 || densities.empty())
             densities.assign(line.leaves.size(), line.plasticity.reference);
-        set_grown_plant(cue_.campaign_, in, c, respond(line, densities),
+        set_grown_plant(campaign, in, c, respond(line, densities),
                         scene.components.at(c));
     }
 }
@@ -162,9 +163,10 @@ void LightCue::Response::set_plants(std::size_t number, const Plants& plants,
 void LightCue::Response::observe(std::size_t number, const Scene& scene,
                                  const CanopyReport& report) {
     const Case& in = cue_.cases_.at(number);
+    const Campaign& campaign = campaign_in(cue_.campaign_, in);
     for (std::size_t i = 0; i < cue_.components_.size(); ++i) {
         const std::size_t c = cue_.components_[i];
-        const Growth& growth = *growth_of(cue_.campaign_, c);
+        const Growth& growth = *growth_of(campaign, c);
         const double age = in.stage->ages[c];
         const Comparison& compared = cue_.comparisons_.at(number)[i];
         const auto light = light_on_young(growth, age, c, scene, report);
@@ -184,8 +186,7 @@ void LightCue::Response::observe(std::size_t number, const Scene& scene,
         const double weight =
             1 / (1 + error * error / (usual_deviation * usual_deviation));
         std::vector<double>& densities = densities_.at(c);
-        const double reference =
-            line_of(cue_.campaign_, c).plasticity.reference;
+        const double reference = line_of(campaign, c).plasticity.reference;
         const double before = std::log(densities.back() / reference);
         const double density =
             reference * std::exp(std::lerp(before, found, weight));

@@ -179,8 +179,9 @@ Stand::Stand(const Campaign& campaign, const Case& chosen)
       schema_(outcome_schema(campaign, chosen, campaign.sampling)),
       final_schema_(schema_) {
     for (const Case& scenario : scenarios(chosen))
-        scenarios_.push_back({std::max<std::size_t>(1, scenario.stages.size()),
-                              Season(campaign, scenario)});
+        scenarios_.push_back(
+            {std::max<std::size_t>(1, scenario.stages.size()),
+             Season(campaign_in(campaign, scenario), scenario)});
     final_schema_.randomisations =
         static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
 }
@@ -188,7 +189,7 @@ Stand::Stand(const Campaign& campaign, const Case& chosen)
 void Stand::prepare(const Device& device) {
     if (!scenes_.empty()) return;
     for (const Case& each : cases_)
-        scenes_.push_back(scene_of(campaign_, each));
+        scenes_.push_back(scene_of(campaign_in(campaign_, each), each));
     cue_.prepare(device);
 }
 
@@ -196,7 +197,8 @@ LitCanopy Stand::light(std::size_t number, const Plants& plants,
                        const Sampling& sampling, const Device& device,
                        LightCue::Response& response,
                        const ReportOptions& options) const {
-    CanopyRequest request = request_of(sampling, campaign_, cases_[number],
+    const Case& in = cases_[number];
+    CanopyRequest request = request_of(sampling, campaign_in(campaign_, in), in,
                                        scenes_[number], plants);
     request.details.sunlit = options.sunlit;
     response.set_plants(number, plants, request.scene);
@@ -238,11 +240,12 @@ void Stand::report_each(const Plants& plants, const Sampling& sampling,
 Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
                         const Device& device) {
     std::vector<Outcome> outcomes;
-    report_each(plants, sampling, device,
-                [&](const Case& chosen, const CanopyReport& report) {
-                    outcomes.push_back(
-                        to_outcome(campaign_, chosen, plants.front(), report));
-                });
+    report_each(
+        plants, sampling, device,
+        [&](const Case& chosen, const CanopyReport& report) {
+            outcomes.push_back(to_outcome(campaign_in(campaign_, chosen),
+                                          chosen, plants.front(), report));
+        });
     Outcome outcome = across_.combine(outcomes);
     IDEOTYPE_ENSURE(outcome.quantities.size() == schema_.measured.size());
     if (campaign_.water && campaign_.spec.water->limit > 0) {
@@ -270,26 +273,27 @@ RandomisedOutcome Stand::evaluate_by_randomisation(const Plants& plants,
                                                    const Device& device) {
     std::vector<Outcome> outcomes;
     std::vector<std::vector<Outcome>> apart;  // [randomisation, case]
-    report_each(plants, sampling, device,
-                [&](const Case& chosen, const CanopyReport& report) {
-                    outcomes.push_back(
-                        to_outcome(campaign_, chosen, plants.front(), report));
-                    const std::vector<Randomised> quantities =
-                        measure_by_randomisation(report);
-                    apart.resize(report.randomisations());
-                    for (std::size_t r = 0; r < apart.size(); ++r) {
-                        Outcome& one = apart[r].emplace_back(outcomes.back());
-                        for (std::size_t q = 0; q < quantities.size(); ++q) {
-                            const std::vector<double>& values =
-                                quantities[q].by_randomisation;
-                            one.quantities[q] = {
-                                values.empty()
-                                    ? std::numeric_limits<double>::quiet_NaN()
-                                    : values.at(r),
-                                0};
-                        }
-                    }
-                });
+    report_each(
+        plants, sampling, device,
+        [&](const Case& chosen, const CanopyReport& report) {
+            outcomes.push_back(to_outcome(campaign_in(campaign_, chosen),
+                                          chosen, plants.front(), report));
+            const std::vector<Randomised> quantities =
+                measure_by_randomisation(report);
+            apart.resize(report.randomisations());
+            for (std::size_t r = 0; r < apart.size(); ++r) {
+                Outcome& one = apart[r].emplace_back(outcomes.back());
+                for (std::size_t q = 0; q < quantities.size(); ++q) {
+                    const std::vector<double>& values =
+                        quantities[q].by_randomisation;
+                    one.quantities[q] = {
+                        values.empty()
+                            ? std::numeric_limits<double>::quiet_NaN()
+                            : values.at(r),
+                        0};
+                }
+            }
+        });
     RandomisedOutcome result{across_.combine(outcomes), {}};
     for (const std::vector<Outcome>& outcomes_of_one : apart) {
         std::vector<double>& values = result.quantities.emplace_back();

@@ -247,6 +247,8 @@ BaselineDoubts check_spec(const Spec& spec, const Problems& problems) {
     check_names("climate", spec.climates, problems);
     check_names("spacing", spec.spacings, problems);
     check_names("traits", spec.trait_sets, problems);
+    check_names("draw", spec.draws, problems);
+    check_draws(spec, problems);
     const double count = number_of_cases(spec);
     const bool are_few = count <= static_cast<double>(most_cases);
     problems.rule({"replicates"}, !are_few,

@@ -50,6 +50,9 @@ bool is_sound(std::size_t trait, const Problems& problems);
 //! Checks the free traits and their bounds.
 BaselineDoubts check_breeding(const Spec& spec, const Problems& problems);
 
+//! Checks the keys and values of draws.
+void check_draws(const Spec& spec, const Problems& problems);
+
 //! Checks objectives, their scenarios, and the search.
 void check_search(const Spec& spec, const Problems& problems);
 

@@ -160,7 +160,59 @@ void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
     }
 }
 
+//! Checks the keys of a draw, and its values together with the campaign.
+void check_draw(const Spec& spec, const Draw& draw,
+                const std::vector<VariableKey>& keys,
+                const Problems& problems) {
+    const std::size_t count = draw.keys.size();
+    problems.rule(
+        {"values", "keys"}, draw.values.size() != count,
+        "draw.values has {} numbers (there are {} keys); give one for "
+        "each key",
+        draw.values.size(), count);
+    bool is_valid = draw.values.size() == count;
+    for (std::size_t i = 0; i < std::min(count, draw.values.size()); ++i) {
+        const auto variable =
+            std::ranges::find(keys, draw.keys[i], &VariableKey::name);
+        std::string reason = "(which is not a variable key of this campaign)";
+        if (variable != keys.end()) {
+            reason = fault(*variable);
+            if (reason.empty()) reason = fault_of_range(*variable);
+        }
+        problems.rule(ProblemCode::unknown_name, {"keys"}, !reason.empty(),
+                      "draw.keys has \"{}\" {}; {}", draw.keys[i], reason,
+                      advice(draw.keys[i], keys));
+        is_valid &= reason.empty();
+        if (!reason.empty()) continue;
+        reason = fault_of(draw.values[i], variable->section, variable->key.key);
+        problems.rule(
+            {"values"}, [&] { return reason; }, ProblemCode::out_of_range);
+        is_valid &= reason.empty();
+    }
+    if (!is_valid) return;
+    Spec drawn = spec;
+    set_keys(drawn, factors_of(draw), draw.values);
+    const Problems of_stand(spec.name);
+    check_variable(drawn, of_stand);
+    try {
+        of_stand.throw_if_any();
+    } catch (const InputError& error) {
+        problems.add("values", ProblemCode::contradiction,
+                     "draw.values: with these values, {}",
+                     error.problems().front().what);
+    }
+}
+
 }  // namespace
+
+void check_draws(const Spec& spec, const Problems& problems) {
+    if (spec.draws.empty() || !spec.plant.crop.is_known || !problems.empty())
+        return;
+    Spec varied = spec;
+    const std::vector<VariableKey> keys = variable_keys(varied);
+    for (std::size_t i = 0; i < spec.draws.size(); ++i)
+        check_draw(spec, spec.draws[i].value, keys, problems.in("draw", i));
+}
 
 void check_sensitivity(const Spec& spec, const Problems& problems) {
     const Problems of_study = problems.in("sensitivity");

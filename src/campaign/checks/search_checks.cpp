@@ -177,6 +177,14 @@ void check_scenarios(const Spec& spec, const Problems& problems) {
         !has_weight(spec.climates,
                     [](const NamedClimate& x) { return x.value.weight(); }),
         "no climate has a weight above 0; give one to each that counts");
+    problems.rule({"objective.over"},
+                  spec.draws.empty() && is_over(spec, "draw"),
+                  "objective.over has \"draw\" (this campaign has no "
+                  "[[draw]]); add some, or remove it");
+    problems.rule({"objective.over"},
+                  !spec.draws.empty() && !is_over(spec, "draw"),
+                  "there are [[draw]] tables (draws are scenarios of one "
+                  "case); add \"draw\" to objective.over");
 }
 
 //! Reports populations and numbers of generations that are too small for a

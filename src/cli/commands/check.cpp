@@ -30,15 +30,26 @@ std::vector<std::string> scenario_names(const Campaign& campaign,
         across.measured().axis("scenario").coordinates);
 }
 
+std::string across_text(const ObjectiveSpec& objective) {
+    switch (objective.across) {
+        case Across::worst:
+            return "that of the worst scenario";
+        case Across::quantile:
+            return fmt::format("their {} quantile, from the worst to the best",
+                               objective.quantile);
+        case Across::mean:
+            break;
+    }
+    return "the mean over them";
+}
+
 std::string scenario_text(const Campaign& campaign, const Case& chosen) {
     const std::vector<std::string> names = scenario_names(campaign, chosen);
     if (names.empty()) return "";
     return fmt::format(
         "scenarios {} in each evaluation ({}); each objective is {}\n",
         names.size(), fmt::join(names, ", "),
-        campaign.spec.objective.across == Across::mean
-            ? "the mean over them"
-            : "that of the worst scenario");
+        across_text(campaign.spec.objective));
 }
 
 Json to_json(const std::vector<CaseName>& names) {

@@ -45,7 +45,7 @@ constexpr Values quantities(const char* range) {
     return {.range = range, .known = objective_names};
 }
 constexpr Values axes() {
-    Values values = texts("site", "day", "climate", "spacing");
+    Values values = texts("site", "day", "climate", "spacing", "draw");
     values.type = "text or list of texts";
     values.count = any_count;
     return values;
@@ -106,6 +106,12 @@ constexpr Key top_keys[] = {
 constexpr Key traits_keys[] = {
     key<&NamedTraits::name>("name", name_text, required("\"angles\""), "name of the trait set, a part of the names of cases"),
     key<&NamedTraits::value>("free", from_file(Names::traits, "traits of the crop file"), required("[\"insertion_angle\", \"azimuth\"]"), "traits that the search may change; all others have the baseline's values").quiet(),
+};
+
+constexpr Key draw_keys[] = {
+    key<&NamedDraw::name>("name", name_text, required("\"1\""), "name of the draw, a part of the names of scenarios"),
+    key<&NamedDraw::value, &Draw::keys>("keys", any_value, required("[\"photosynthesis.rd\"]"), "drawn numbers of field, spacing, panel, optics, photosynthesis or plant.baseline"),
+    key<&NamedDraw::value, &Draw::values>("values", numbers(0, 0), required("[2.1]"), "value of each of these keys"),
 };
 
 constexpr Key plant_keys[] = {
@@ -259,6 +265,7 @@ constexpr Key parallel_keys[] = {
 
 constinit const Description traits_table =
     describe<NamedTraits>("traits", traits_keys);
+constinit const Description draw_table = describe<NamedDraw>("draw", draw_keys);
 constinit const Description light_table =
     describe<LightSpec>("light", light_keys);
 constinit const Description objective_table =
@@ -340,6 +347,7 @@ constexpr Table spec_tables[] = {
         .at_most(most_entries)
         .variable(),
     table<&Spec::trait_sets>("traits", traits_table),
+    table<&Spec::draws>("draw", draw_table).optional().at_most(most_draws),
     table<&Spec::field>("field", field_table).variable(),
     table<&Spec::plant>("plant", plant_table),
     table<&Spec::components>("component", component_table)

@@ -17,6 +17,7 @@ from ideotype.calibration import (
     Model,
     Parameter,
     calibrate,
+    format_draws,
     make_observations,
     predict,
     read_observations,
@@ -174,6 +175,37 @@ def test_plants_are_compared_over_draws() -> None:
     table = judged.table()
     assert table["mean"][1] > 0 and table.probability[1] == 1
     assert table.regret[1] == 0 < table.regret[0]
+
+
+def test_draws_are_tables_of_a_campaign(tmp_path: Path) -> None:
+    parameters = [
+        Parameter("photosynthesis.rate_2000", 40, 60),
+        Parameter("crop.stalk.base_diameter", 0.01, 0.03),
+        Parameter("leaf.all.length", 0.8, 1.2, is_factor=True),
+        Parameter("crop.response.2.slope", -0.2, -0.1),
+    ]
+    values = np.array([[42.0, 0.02, 1.1, -0.15], [58.0, 0.025, 0.9, -0.1]])
+    text, left_out = format_draws(parameters, values)
+    assert left_out == ["leaf.all.length", "crop.response.2.slope"]
+    path = FIELD.parent / "crops"
+    campaign = tmp_path / "robust.toml"
+    campaign.write_text(
+        FIELD.read_text().replace('"crops/', f'"{path}/') + "\n" + text
+    )
+    keys = FAST | {
+        "objective.maximise": "net_assimilation",
+        "objective.over": ["draw"],
+    }
+    stand = ideotype.Stand.from_campaign(campaign, settings=keys)
+    found = stand.evaluate_one(stand.start)
+    (by_draw,) = [
+        stand.evaluate([stand.start], [name])[name].values[0]
+        for name in ("net_assimilation_by_scenario",)
+    ]
+    assert by_draw.shape == (2,) and by_draw[0] < by_draw[1]
+    assert found.objectives[0, 0] == pytest.approx(by_draw.mean())
+    # Factors and leaves alone make no draws of a campaign.
+    assert format_draws(parameters[2:], values[:, 2:])[0] == ""
 
 
 def test_the_command_writes_its_files(

@@ -18,7 +18,7 @@ from .answers import (
     stands_at,
 )
 from .calibration import Calibration, EmulatorCheck, calibrate
-from .draws import Draws, Robustness
+from .draws import Draws, Robustness, format_draws
 from .emulator import Emulator
 from .likelihood import Posterior
 from .model import Evaluations, Model
@@ -51,6 +51,7 @@ __all__ = [
     "estimates",
     "explained_by_parameter",
     "find_mode",
+    "format_draws",
     "make_observations",
     "next_measurements",
     "pairs",

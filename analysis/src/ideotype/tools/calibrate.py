@@ -122,6 +122,10 @@ def _calibrate(options: argparse.Namespace) -> int:
         "predicted.csv": predictions.table,
         "draws.csv": pd.DataFrame(draws, columns=[p.key for p in parameters]),
     }
+    text, left_out = c.format_draws(parameters, draws)
+    if text:
+        missing = f"# Without {', '.join(left_out)}.\n" if left_out else ""
+        write_file(folder / "draws.toml", missing + text, folder)
     for name, table in tables.items():
         write_file(folder / name, table.to_csv(index=False), folder)
     for number, stand in enumerate(stands, 1):

@@ -229,6 +229,20 @@ Campaign with_keys(const Campaign& campaign, const std::vector<KeyFactor>& keys,
     return varied;
 }
 
+bool draws_change_light(const Spec& spec) {
+    Spec varied = spec;
+    const std::vector<VariableKey> keys = variable_keys(varied);
+    return std::ranges::any_of(spec.draws, [&](const NamedDraw& each) {
+        return std::ranges::any_of(each.value.keys, [&](const auto& key) {
+            const auto variable =
+                std::ranges::find(keys, key, &VariableKey::name);
+            IDEOTYPE_EXPECT(variable != keys.end());
+            return variable->section != "photosynthesis" &&
+                   variable->section != "plant.baseline.grain";
+        });
+    });
+}
+
 Campaign at_keys(const Campaign& campaign, Genome& genome) {
     const std::vector<KeyFactor>& keys = campaign.varied.keys;
     const std::size_t plain = count_genes(campaign);

@@ -32,19 +32,19 @@ Scene with_a_group_per_face(Scene scene) {
     return scene;
 }
 
-//! Computes the light in all fields after the first one. Several threads share
-//! the fields; each thread uses a separate device.
-std::vector<FieldLight> light_in_others(const Evaluation& evaluation,
-                                        const FirstLook& look,
-                                        const Device& device,
-                                        const Clock& clock, int threads) {
-    const int count = evaluation.plan.fields - 1;
-    std::vector<FieldLight> fields(static_cast<std::size_t>(count));
+//! Computes the light in all fields after the first one [field, evaluation].
+//! Several threads share the fields; each thread uses a separate device.
+std::vector<std::vector<FieldLight>> light_in_others(
+    const Evaluations& evaluations, const std::vector<FirstLook>& looks,
+    const Device& device, const Clock& clock, int threads) {
+    const int count = evaluations.front()->plan.fields - 1;
+    std::vector<std::vector<FieldLight>> fields(
+        static_cast<std::size_t>(count));
     std::atomic<int> next = 0;
     const auto work = [&](const Device& own) {
         for (int i = next++; i < count; i = next++)
             fields[static_cast<std::size_t>(i)] =
-                light_in_field(evaluation, look, i + 1, own, clock);
+                light_in_field(evaluations, looks, i + 1, own, clock);
     };
     std::vector<std::future<void>> helpers;
     for (int i = 1; i < std::min(threads, count); ++i)
@@ -58,18 +58,9 @@ std::vector<FieldLight> light_in_others(const Evaluation& evaluation,
 }  // namespace
 
 struct LitCanopy::Parts {
-    Parts(CanopyRequest of, const Device& device, const Clock& clock,
-          int threads)
-        : request(std::move(of)) {
-        FirstField first = first_field(evaluation, device, clock);
-        look = std::move(first.look);
-        light = std::move(first.light);
-        for (FieldLight& each :
-             light_in_others(evaluation, look, device, clock, threads))
-            light.append(std::move(each));
-        for (ClosedStomata& each : light.fluxes.closed)
-            for (std::vector<double>& flux : each)
-                for (double& x : flux) x /= light.fields;
+    explicit Parts(CanopyRequest of) : request(std::move(of)) {
+        IDEOTYPE_EXPECT(request.scene.cell.ground_area > 0);
+        IDEOTYPE_EXPECT(request.layers.count > 0 && request.details.pieces > 0);
     }
 
     CanopyRequest request;
@@ -81,13 +72,42 @@ struct LitCanopy::Parts {
     FieldLight light{};
 };
 
+LitCanopy::LitCanopy(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
 LitCanopy::LitCanopy(CanopyRequest request, const Device& device,
-                     const Clock& clock, int threads) {
-    IDEOTYPE_EXPECT(request.scene.cell.ground_area > 0);
-    IDEOTYPE_EXPECT(request.layers.count > 0 && request.details.pieces > 0);
-    IDEOTYPE_EXPECT(threads > 0);
-    parts_ =
-        std::make_unique<Parts>(std::move(request), device, clock, threads);
+                     const Clock& clock, int threads)
+    : LitCanopy([&] {
+          std::vector<CanopyRequest> requests;
+          requests.push_back(std::move(request));
+          return std::move(
+              sharing_light(std::move(requests), device, clock, threads)
+                  .front());
+      }()) {}
+
+std::vector<LitCanopy> LitCanopy::sharing_light(
+    std::vector<CanopyRequest> requests, const Device& device,
+    const Clock& clock, int threads) {
+    IDEOTYPE_EXPECT(!requests.empty() && threads > 0);
+    std::vector<LitCanopy> canopies;
+    Evaluations evaluations;
+    for (CanopyRequest& each : requests) {
+        canopies.push_back(LitCanopy(std::make_unique<Parts>(std::move(each))));
+        evaluations.push_back(&canopies.back().parts_->evaluation);
+    }
+    auto [looks, lights] = first_field(evaluations, device, clock);
+    for (std::vector<FieldLight>& field :
+         light_in_others(evaluations, looks, device, clock, threads))
+        for (std::size_t i = 0; i < canopies.size(); ++i)
+            lights[i].append(std::move(field[i]));
+    for (std::size_t i = 0; i < canopies.size(); ++i) {
+        Parts& parts = *canopies[i].parts_;
+        parts.look = std::move(looks[i]);
+        parts.light = std::move(lights[i]);
+        for (ClosedStomata& each : parts.light.fluxes.closed)
+            for (std::vector<double>& flux : each)
+                for (double& x : flux) x /= parts.light.fields;
+    }
+    return canopies;
 }
 
 LitCanopy::LitCanopy(LitCanopy&&) noexcept = default;

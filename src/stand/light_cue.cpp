@@ -111,9 +111,15 @@ LightCue::LightCue(const Campaign& campaign, const std::vector<Case>& cases)
     }
 }
 
-void LightCue::prepare(const Device& device) {
+void LightCue::prepare(const Device& device,
+                       const std::vector<std::size_t>& lights) {
     if (!comparisons_.empty()) return;
-    for (const Case& each : cases_) {
+    for (std::size_t number = 0; number < cases_.size(); ++number) {
+        if (!lights.empty() && lights[number] < number) {
+            comparisons_.push_back(comparisons_[lights[number]]);
+            continue;
+        }
+        const Case& each = cases_[number];
         std::vector<Comparison>& comparisons = comparisons_.emplace_back();
         for (const std::size_t c : components_) {
             const Campaign one = alone(campaign_in(campaign_, each), c);

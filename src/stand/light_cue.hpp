@@ -35,7 +35,10 @@ class LightCue {
 
     //! Traces the light of the stands with which light is compared. Must be
     //! called once before responses are computed.
-    void prepare(const Device& device);
+    //! @param lights for each case the first one with the same light; empty:
+    //! all differ
+    void prepare(const Device& device,
+                 const std::vector<std::size_t>& lights = {});
 
     //! The densities that correspond to the light on leaves, by component and
     //! leaf.

@@ -171,6 +171,29 @@ Outcome to_outcome(const Campaign& campaign, const Case& chosen,
     return outcome;
 }
 
+namespace {
+
+//! Returns whether two stages have the same plants, light and paths.
+bool has_same_light(const std::optional<Stage>& a,
+                    const std::optional<Stage>& b) {
+    if (!a || !b) return !a && !b;
+    return a->number == b->number && a->at == b->at && a->before == b->before &&
+           a->after == b->after && a->ages == b->ages &&
+           a->ages_before == b->ages_before && a->share == b->share &&
+           a->date == b->date;
+}
+
+//! Returns whether two scenarios differ by their draws alone, and have the same
+//! stages.
+bool differ_by_draw(const Case& a, const Case& b) {
+    return a.site_name == b.site_name && a.day_name == b.day_name &&
+           a.spacing_name == b.spacing_name &&
+           std::ranges::equal(a.stages, b.stages, has_same_light, &Case::stage,
+                              &Case::stage);
+}
+
+}  // namespace
+
 Stand::Stand(const Campaign& campaign, const Case& chosen)
     : campaign_(campaign),
       cases_(evaluated_cases(chosen)),
@@ -178,10 +201,21 @@ Stand::Stand(const Campaign& campaign, const Case& chosen)
       across_(campaign, chosen),
       schema_(outcome_schema(campaign, chosen, campaign.sampling)),
       final_schema_(schema_) {
-    for (const Case& scenario : scenarios(chosen))
-        scenarios_.push_back(
-            {std::max<std::size_t>(1, scenario.stages.size()),
-             Season(campaign_in(campaign, scenario), scenario)});
+    const std::vector<Case> all = scenarios(chosen);
+    const bool is_shared =
+        !campaign.spec.draws.empty() && !draws_change_light(campaign.spec);
+    std::size_t first = 0;
+    for (const Case& scenario : all) {
+        const auto same = std::ranges::find_if(all, [&](const Case& earlier) {
+            return &earlier == &scenario ||
+                   (is_shared && differ_by_draw(earlier, scenario));
+        });
+        scenarios_.push_back({first,
+                              std::max<std::size_t>(1, scenario.stages.size()),
+                              Season(campaign_in(campaign, scenario), scenario),
+                              static_cast<std::size_t>(same - all.begin())});
+        first += scenarios_.back().cases;
+    }
     final_schema_.randomisations =
         static_cast<std::size_t>(campaign.final_rule.sampling.randomisations);
 }
@@ -190,23 +224,33 @@ void Stand::prepare(const Device& device) {
     if (!scenes_.empty()) return;
     for (const Case& each : cases_)
         scenes_.push_back(scene_of(campaign_in(campaign_, each), each));
-    cue_.prepare(device);
+    std::vector<std::size_t> lights;
+    for (const Scenario& scenario : scenarios_)
+        for (std::size_t s = 0; s < scenario.cases; ++s)
+            lights.push_back(scenarios_[scenario.light].first + s);
+    cue_.prepare(device, lights);
 }
 
-LitCanopy Stand::light(std::size_t number, const Plants& plants,
-                       const Sampling& sampling, const Device& device,
-                       LightCue::Response& response,
-                       const ReportOptions& options) const {
-    const Case& in = cases_[number];
-    CanopyRequest request = request_of(sampling, campaign_in(campaign_, in), in,
-                                       scenes_[number], plants);
-    request.details.sunlit = options.sunlit;
-    response.set_plants(number, plants, request.scene);
-    LitCanopy canopy(std::move(request), device, options.clock,
-                     options.threads);
+std::vector<LitCanopy> Stand::light(const std::vector<std::size_t>& numbers,
+                                    const Plants& plants,
+                                    const Sampling& sampling,
+                                    const Device& device,
+                                    LightCue::Response& response,
+                                    const ReportOptions& options) const {
+    std::vector<CanopyRequest> requests;
+    for (const std::size_t number : numbers) {
+        const Case& in = cases_[number];
+        CanopyRequest& request = requests.emplace_back(request_of(
+            sampling, campaign_in(campaign_, in), in, scenes_[number], plants));
+        request.details.sunlit = options.sunlit;
+        response.set_plants(number, plants, request.scene);
+    }
+    std::vector<LitCanopy> canopies = LitCanopy::sharing_light(
+        std::move(requests), device, options.clock, options.threads);
     if (cue_.is_any())
-        response.observe(number, canopy.scene(), canopy.report());
-    return canopy;
+        response.observe(numbers.front(), canopies.front().scene(),
+                         canopies.front().report());
+    return canopies;
 }
 
 void Stand::report_each(const Plants& plants, const Sampling& sampling,
@@ -214,27 +258,40 @@ void Stand::report_each(const Plants& plants, const Sampling& sampling,
                         const ReportOptions& options) {
     prepare(device);
     LightCue::Response response(cue_);
-    std::size_t i = 0;
-    for (const Scenario& scenario : scenarios_) {
-        const std::size_t first = i, end = first + scenario.cases;
-        std::vector<LitCanopy> stages;
-        for (; i < end; ++i) {
-            LitCanopy stage =
-                light(i, plants, sampling, device, response, options);
-            if (scenario.season.is_any())
-                stages.push_back(std::move(stage));
-            else
-                take(cases_[i], stage.report());
+    std::vector<std::vector<CanopyReport>> reports(scenarios_.size());
+    for (std::size_t leader = 0; leader < scenarios_.size(); ++leader) {
+        // The scenarios with the same light as the leader, and the leader.
+        std::vector<std::size_t> members;
+        for (std::size_t i = leader; i < scenarios_.size(); ++i)
+            if (scenarios_[i].light == leader) members.push_back(i);
+        if (members.empty()) continue;
+        std::vector<std::vector<LitCanopy>> stages(members.size());
+        for (std::size_t s = 0; s < scenarios_[leader].cases; ++s) {
+            std::vector<std::size_t> numbers;
+            for (const std::size_t i : members)
+                numbers.push_back(scenarios_[i].first + s);
+            std::vector<LitCanopy> lit =
+                light(numbers, plants, sampling, device, response, options);
+            for (std::size_t m = 0; m < members.size(); ++m)
+                if (scenarios_[members[m]].season.is_any())
+                    stages[m].push_back(std::move(lit[m]));
+                else
+                    reports[members[m]].push_back(lit[m].report());
         }
-        if (stages.empty()) continue;
-        // The season of all stages decides about their fluxes.
-        const auto soil = scenario.season.dry(stages);
-        std::vector<CanopyReport> reports;
-        for (const LitCanopy& stage : stages) reports.push_back(stage.report());
-        scenario.season.add_to(soil, stages, reports);
-        for (std::size_t s = 0; s < reports.size(); ++s)
-            take(cases_[first + s], std::move(reports[s]));
+        for (std::size_t m = 0; m < members.size(); ++m) {
+            if (stages[m].empty()) continue;
+            // The season of all stages decides about their fluxes.
+            const Season& season = scenarios_[members[m]].season;
+            std::vector<CanopyReport>& of_stages = reports[members[m]];
+            const auto soil = season.dry(stages[m]);
+            for (const LitCanopy& stage : stages[m])
+                of_stages.push_back(stage.report());
+            season.add_to(soil, stages[m], of_stages);
+        }
     }
+    for (std::size_t i = 0; i < scenarios_.size(); ++i)
+        for (std::size_t s = 0; s < reports[i].size(); ++s)
+            take(cases_[scenarios_[i].first + s], std::move(reports[i][s]));
 }
 
 Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
@@ -311,7 +368,8 @@ std::vector<SeasonState> Stand::season(const Plants& plants,
     LightCue::Response response(cue_);
     std::vector<LitCanopy> stages;
     for (std::size_t i = 0; i < scenarios_.front().cases; ++i)
-        stages.push_back(light(i, plants, sampling, device, response, {}));
+        stages.push_back(std::move(
+            light({i}, plants, sampling, device, response, {}).front()));
     return scenarios_.front().season.run(stages, control);
 }
 

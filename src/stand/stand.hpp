@@ -150,8 +150,9 @@ class Stand {
         Clock clock{};  //!< for CanopyReport::seconds; none: not measured
     };
 
-    //! Evaluates plants in each scenario and stage. Stages of a season with
-    //! soil or grain are reported after all have been evaluated.
+    //! Evaluates plants in each scenario and stage, and then reports all in
+    //! order. Scenarios of draws that change neither plants nor light share
+    //! their traced light.
     void report_each(const Plants& plants, const Sampling& sampling,
                      const Device& device, const TakeReport& take,
                      const ReportOptions& options);
@@ -168,14 +169,19 @@ class Stand {
                                     const ControlDay& control);
 
   private:
-    LitCanopy light(std::size_t number, const Plants& plants,
-                    const Sampling& sampling, const Device& device,
-                    LightCue::Response& response,
-                    const ReportOptions& options) const;
+    //! Computes cases that share their light.
+    std::vector<LitCanopy> light(const std::vector<std::size_t>& numbers,
+                                 const Plants& plants, const Sampling& sampling,
+                                 const Device& device,
+                                 LightCue::Response& response,
+                                 const ReportOptions& options) const;
 
     struct Scenario {
+        std::size_t first;  //!< index of its first case
         std::size_t cases;  //!< number of stages, or 1
         Season season;
+        //! The first scenario with the same light, perhaps this one.
+        std::size_t light;
     };
 
     const Campaign& campaign_;

@@ -85,6 +85,46 @@ TEST(Draws, TheObjectiveIsTheMeanTheWorstOrAQuantileOfTheDraws) {
     }
 }
 
+//! Draws of photosynthesis and grain share their light.
+TEST(Draws, OfGrowingPlantsEqualSeparateEvaluationsBitForBit) {
+    const Texts season{
+        "objective={maximise=\"grain_yield\", over=[\"climate\"]}",
+        "light.tolerance=0",
+        "light.paths=64",
+        "light.stages=3",
+        "field.rows=1",
+        "field.plants=2",
+        "light.fields=4",
+        "final.randomisations=4"};
+    const auto growing = [&](Texts settings) {
+        settings.insert(settings.begin(), season.begin(), season.end());
+        return read_campaign(
+            std::string(IDEOTYPE_CAMPAIGNS) + "/growing_season.toml", settings);
+    };
+    const Campaign draws = growing(
+        {"objective.over=[\"draw\"]",
+         "draw=[{name=\"a\", "
+         "keys=[\"photosynthesis.vmax\", \"plant.baseline.grain.kernels\"], "
+         "values=[30, 400]}, {name=\"b\", "
+         "keys=[\"photosynthesis.vmax\", \"plant.baseline.grain.kernels\"], "
+         "values=[45, 500]}]"});
+    EXPECT_FALSE(draws_change_light(draws.spec));
+    EXPECT_TRUE(draws_change_light(drawn().spec));
+    const Case chosen = cases(draws)[0];
+    const QuantitySet measured = AcrossScenarios(draws, chosen).measured();
+    const Outcome together = baseline_outcome(draws);
+    const std::size_t first = measured.offset("grain_yield_by_scenario");
+    const Campaign plain = growing({"objective.over=[]"});
+    const Texts keys{"photosynthesis.vmax", "plant.baseline.grain.kernels"};
+    for (const auto& [index, values] :
+         {std::pair<std::size_t, std::vector<double>>{0, {30, 400}},
+          {1, {45, 500}}})
+        EXPECT_EQ(together.quantities[first + index].mean,
+                  baseline_outcome(with_keys(plain, keys, values))
+                      .objectives[0]
+                      .mean);
+}
+
 TEST(Draws, AllFaultsAreReported) {
     const auto faults = [](const std::string& draw, const std::string& over) {
         try {

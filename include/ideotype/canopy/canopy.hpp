@@ -193,6 +193,15 @@ class LitCanopy {
     //! Computes light and fluxes as evaluate() does.
     LitCanopy(CanopyRequest request, const Device& device,
               const Clock& clock = {}, int threads = 1);
+    //! Computes canopies that differ in the photosynthesis of leaves alone.
+    //! Their light is traced once; results are those of each canopy, bit for
+    //! bit.
+    //! @param requests requests with the same plants, light, accuracy and
+    //! random numbers; at least one
+    static std::vector<LitCanopy> sharing_light(
+        std::vector<CanopyRequest> requests, const Device& device,
+        const Clock& clock = {}, int threads = 1);
+
     LitCanopy(LitCanopy&&) noexcept;
     ~LitCanopy();
 
@@ -212,6 +221,8 @@ class LitCanopy {
 
   private:
     struct Parts;
+    explicit LitCanopy(std::unique_ptr<Parts> parts);
+
     std::unique_ptr<Parts> parts_;
 };
 

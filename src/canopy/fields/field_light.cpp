@@ -115,13 +115,13 @@ LeafArea leaf_area_of(const Evaluation& all,
 //! Computes light and assimilation in a field and collects the results.
 class FieldPass {
   public:
-    FieldPass(const Evaluation& all, const FirstLook& look, DrawnField& drawn,
-              const RayScene& surfaces)
+    FieldPass(const Evaluation& all, const FirstLook& look,
+              const DrawnField& drawn, const RayScene& surfaces)
         : all_(all),
           look_(look),
           drawn_(drawn),
           surfaces_(surfaces),
-          found_(std::move(drawn.measured)) {}
+          found_(drawn.measured) {}
 
     FieldLight follow(Simulation simulation) && {
         if (scene_.assimilates()) {
@@ -257,6 +257,15 @@ Subject subject_of(const Evaluation& all, const Layers& layers,
             drawn.pieces.count};
 }
 
+//! Returns the leaves of each group, which are the same in all fields.
+std::vector<LeafGroup> leaves_of(const Evaluation& all,
+                                 const DrawnField& drawn) {
+    if (!all.scene.assimilates()) return {};
+    return leaf_groups(all.scene, all.lines.groups,
+                       all.scene.varies() ? all.lines.leaf_area_index
+                                          : drawn.measured.leaf_area_index);
+}
+
 //! Simulates the first field with trials. They determine the work that the
 //! tolerance requires; other fields repeat this work without trials.
 //! @param surfaces get the tree of boxes that suits the work, if there are
@@ -269,12 +278,7 @@ FirstLook look_at(const Evaluation& all, const DrawnField& drawn,
     if (!(look.layers.thickness > 0))
         look.layers.thickness =
             surfaces.top() / static_cast<double>(look.layers.count);
-    // All fields contain the same groups of leaves.
-    if (all.scene.assimilates())
-        look.leaves =
-            leaf_groups(all.scene, all.lines.groups,
-                        all.scene.varies() ? all.lines.leaf_area_index
-                                           : drawn.measured.leaf_area_index);
+    look.leaves = leaves_of(all, drawn);
     const Subject subject = subject_of(all, look.layers, drawn, surfaces);
     const Accuracy& accuracy = all.plan.accuracy;
     Demand demand = find_demand(subject, accuracy, drawn.randomness);
@@ -299,28 +303,35 @@ Simulation repeat(const Evaluation& all, const FirstLook& look,
     return next;
 }
 
-//! Generates a random field and computes its light and assimilation.
+//! Generates a random field and computes its light and assimilation, by
+//! evaluation.
 //! @param tree tree of boxes with which the surfaces are built
 //! @param trace returns the simulation of the field and the results that the
 //! first field fixes for all fields
-FieldLight light_in(const Evaluation& all, int number, const Device& device,
-                    const Clock& clock, BoxTree tree, const auto& trace) {
+std::vector<FieldLight> light_in(const Evaluations& all, int number,
+                                 const Device& device, const Clock& clock,
+                                 BoxTree tree, const auto& trace) {
     double last = clock ? clock() : 0;
     Timing seconds;
     const auto take = [&](double& part) {
         const double now = clock ? clock() : 0;
         part += now - std::exchange(last, now);
     };
-    DrawnField drawn = draw(all, number);
+    const DrawnField drawn = draw(*all.front(), number);
     take(seconds.geometry);
     RayScene surfaces = build_scene(device, drawn.field, tree);
     take(seconds.scene);
-    auto [simulation, look] = trace(drawn, surfaces);
-    FieldLight found =
-        FieldPass(all, look, drawn, surfaces).follow(std::move(simulation));
+    auto [simulation, looks] = trace(drawn, surfaces);
+    std::vector<FieldLight> lights;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Simulation one =
+            i + 1 < all.size() ? Simulation(simulation) : std::move(simulation);
+        lights.push_back(FieldPass(*all[i], looks[i], drawn, surfaces)
+                             .follow(std::move(one)));
+    }
     take(seconds.light);
-    found.seconds = seconds;
-    return found;
+    lights.front().seconds = seconds;
+    return lights;
 }
 
 }  // namespace
@@ -336,28 +347,34 @@ BoxTree first_tree(const Plan& plan) {
 
 }  // namespace
 
-FirstField first_field(const Evaluation& all, const Device& device,
+FirstField first_field(const Evaluations& all, const Device& device,
                        const Clock& clock) {
+    using Traced = std::pair<Simulation, const std::vector<FirstLook>&>;
     FirstField first;
-    first.light = light_in(all, 0, device, clock, first_tree(all.plan),
-                           [&](const DrawnField& drawn, RayScene& surfaces) {
-                               Simulation simulation;
-                               first.look = look_at(all, drawn, device,
-                                                    surfaces, simulation);
-                               return std::pair<Simulation, const FirstLook&>(
-                                   std::move(simulation), first.look);
-                           });
+    first.lights = light_in(
+        all, 0, device, clock, first_tree(all.front()->plan),
+        [&](const DrawnField& drawn, RayScene& surfaces) {
+            Simulation simulation;
+            first.looks.assign(all.size(), look_at(*all.front(), drawn, device,
+                                                   surfaces, simulation));
+            for (std::size_t i = 1; i < all.size(); ++i)
+                first.looks[i].leaves = leaves_of(*all[i], drawn);
+            return Traced(std::move(simulation), first.looks);
+        });
     return first;
 }
 
-FieldLight light_in_field(const Evaluation& all, const FirstLook& look,
-                          int number, const Device& device,
-                          const Clock& clock) {
-    return light_in(all, number, device, clock, look.tree,
-                    [&](const DrawnField& drawn, const RayScene& surfaces) {
-                        return std::pair<Simulation, const FirstLook&>(
-                            repeat(all, look, drawn, surfaces), look);
-                    });
+std::vector<FieldLight> light_in_field(const Evaluations& all,
+                                       const std::vector<FirstLook>& looks,
+                                       int number, const Device& device,
+                                       const Clock& clock) {
+    using Traced = std::pair<Simulation, const std::vector<FirstLook>&>;
+    return light_in(
+        all, number, device, clock, looks.front().tree,
+        [&](const DrawnField& drawn, const RayScene& surfaces) {
+            return Traced(repeat(*all.front(), looks.front(), drawn, surfaces),
+                          looks);
+        });
 }
 
 }  // namespace ideotype

@@ -111,22 +111,28 @@ struct FirstLook {
     BoxTree tree{};      //!< tree of boxes for this work
 };
 
-//! The first field of an evaluation.
+//! Evaluations that differ in the photosynthesis of leaves alone, so that their
+//! light is traced once. There is at least one.
+using Evaluations = std::vector<const Evaluation*>;
+
+//! The first field, by evaluation.
 struct FirstField {
-    FirstLook look;
-    FieldLight light;
+    std::vector<FirstLook> looks;
+    std::vector<FieldLight> lights;
 };
 
-//! Generates the first field of an evaluation and computes its light and
+//! Generates the first field of evaluations and computes its light and
 //! assimilation, with as much work as the tolerance requires.
-FirstField first_field(const Evaluation& all, const Device& device,
+FirstField first_field(const Evaluations& all, const Device& device,
                        const Clock& clock);
 
-//! Generates another field and computes its light and assimilation. The
-//! function is pure, so several threads may compute fields at the same time,
-//! each with a separate device.
-FieldLight light_in_field(const Evaluation& all, const FirstLook& look,
-                          int number, const Device& device, const Clock& clock);
+//! Generates another field and computes its light and assimilation, by
+//! evaluation. The function is pure, so several threads may compute fields at
+//! the same time, each with a separate device.
+std::vector<FieldLight> light_in_field(const Evaluations& all,
+                                       const std::vector<FirstLook>& looks,
+                                       int number, const Device& device,
+                                       const Clock& clock);
 
 //! Makes the report of an evaluation from the results of its fields.
 CanopyReport report_on(const Evaluation& all, const FirstLook& look,

@@ -102,6 +102,7 @@ def test_a_report_has_values_for_each_scenario(tmp_path: Path) -> None:
     assert table.rows[1][1].startswith("5.5000\u00a0±")
     assert table.rows[1][3].startswith("1.50\u00a0±")
     assert table.caption.startswith("Absorbed PAR by scenario [MJ")
+    assert "better than the baseline in 2 of 2 scenarios" in table.caption
     with pytest.raises(HistoryError, match="over scenarios"):
         cases[0].headroom()
     assert cases[1].headroom().mean > 0

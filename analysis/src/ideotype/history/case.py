@@ -68,8 +68,8 @@ class Case:
 
     def is_over(self, axis: str) -> bool:
         """Returns whether the objective is taken over all entries of an axis
-        of the campaign, "site", "day", "climate" or "spacing"; the case then
-        has the properties of the first scenario."""
+        of the campaign, "site", "day", "climate", "spacing" or "draw"; the case
+        then has the properties of the first scenario."""
         return axis in self.resolved.get("objective", {}).get("over", ())
 
     @property

@@ -18,11 +18,16 @@ def tabulate_scenarios(cases: Sequence[Case]) -> list[Table]:
     """Returns tables of each objective in every scenario over which it is
     taken."""
     rows_by_title: dict[str, list[list[str]]] = {}
+    better: dict[str, int] = {}
     for case in cases:
         objectives = case.best.row.with_axis("scenario") if case.pairs else []
         for objective in objectives:
-            rows = rows_by_title.setdefault(
-                axis_label(objective.name, objective.unit), []
+            title = axis_label(objective.name, objective.unit)
+            rows = rows_by_title.setdefault(title, [])
+            (sign,) = (
+                goal.sign
+                for goal in case.best.row.goals
+                if objective.name == f"{goal.name}_by_scenario"
             )
             was, now = (
                 plant.profile(objective.name)
@@ -37,13 +42,16 @@ def tabulate_scenarios(cases: Sequence[Case]) -> list[Table]:
                 cells = [
                     x.interval_text().replace(" ", "\u00a0") for x in plants
                 ]
-                cells.append(format_bare(over_searches(gain)))
+                mean = over_searches(gain)
+                better[title] = better.get(title, 0) + (sign * mean.mean > 0)
+                cells.append(format_bare(mean))
                 rows.append([f"{case.name}: {label}", *cells])
     return [
         Table(
             ("case: scenario", "baseline", "best", "gain [%]"),
             rows,
-            f"{title[0].upper()}{title[1:]}. Gains are means over searches"
+            f"{title[0].upper()}{title[1:]}. The best plant is better than the "
+            f"baseline in {better[title]} of {len(rows)} scenarios. Gains are means over searches"
             f"{bracket_intervals(cases)}; their errors treat baseline and best as "
             "independent.",
         )

@@ -51,9 +51,9 @@ def tabulate_scenarios(cases: Sequence[Case]) -> list[Table]:
             ("case: scenario", "baseline", "best", "gain [%]"),
             rows,
             f"{title[0].upper()}{title[1:]}. The best plant is better than the "
-            f"baseline in {better[title]} of {len(rows)} scenarios. Gains are means over searches"
-            f"{bracket_intervals(cases)}; their errors treat baseline and best as "
-            "independent.",
+            f"baseline in {better[title]} of {len(rows)} scenarios. Gains are "
+            f"means over searches{bracket_intervals(cases)}; their errors treat "
+            "baseline and best as independent.",
         )
         for title, rows in rows_by_title.items()
     ]

@@ -115,7 +115,8 @@ TEST(Draws, OfGrowingPlantsEqualSeparateEvaluationsBitForBit) {
     const Outcome together = baseline_outcome(draws);
     const std::size_t first = measured.offset("grain_yield_by_scenario");
     const Campaign plain = growing({"objective.over=[]"});
-    const Texts keys{"photosynthesis.vmax", "plant.baseline.grain.kernels"};
+    const std::vector<KeyFactor> keys = factors_of(
+        {{"photosynthesis.vmax", "plant.baseline.grain.kernels"}, {}});
     for (const auto& [index, values] :
          {std::pair<std::size_t, std::vector<double>>{0, {30, 400}},
           {1, {45, 500}}})

@@ -31,12 +31,19 @@ std::vector<std::string> scenario_names(const Campaign& campaign,
 }
 
 std::string across_text(const ObjectiveSpec& objective) {
+    constexpr double percent = 100;
     switch (objective.across) {
         case Across::worst:
             return "that of the worst scenario";
         case Across::quantile:
-            return fmt::format("their {} quantile, from the worst to the best",
-                               objective.quantile);
+            return fmt::format("the best of the worst {} % of them",
+                               percent * objective.tail);
+        case Across::cvar:
+            return fmt::format("the mean over the worst {} % of them",
+                               percent * objective.tail);
+        case Across::probability:
+            return fmt::format("the weight of those at or above {}",
+                               objective.threshold.value_or(0));
         case Across::mean:
             break;
     }

@@ -42,6 +42,7 @@ ONLY_CHECK_SEES = {
         "prices.electricity",
         "prices.water",
     },
+    "electricity.toml": {"climate.emergence", "prices.electricity"},
     "climate_and_day.toml": {BOTH},
     "climates.toml": {
         BOTH,

@@ -213,11 +213,11 @@ Case Cases::at(std::size_t i) const {
                          entry.spacing))
                 for (std::size_t draw = 0;
                      draw < std::max<std::size_t>(1, draws); ++draw) {
-                    Case scenario = scenario_of(campaign,
-                                                {site, day, spacing,
-                                                 entry.traits, entry.replicate,
-                                                 draw},
-                                                named);
+                    Case scenario =
+                        scenario_of(campaign,
+                                    {site, day, spacing, entry.traits,
+                                     entry.replicate, draw},
+                                    named);
                     if (scenario.weight > 0)
                         scenarios.push_back(std::move(scenario));
                 }

@@ -323,20 +323,18 @@ std::vector<FieldLight> light_in(const Evaluations& all, int number,
     take(seconds.scene);
     auto [simulation, looks] = trace(drawn, surfaces);
     std::vector<FieldLight> lights;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        Simulation one =
-            i + 1 < all.size() ? Simulation(simulation) : std::move(simulation);
+    // All evaluations but the last need a copy of the simulation.
+    const auto follow = [&, &looks = looks](Simulation one) {
+        const std::size_t i = lights.size();
         lights.push_back(FieldPass(*all[i], looks[i], drawn, surfaces)
                              .follow(std::move(one)));
-    }
+    };
+    for (std::size_t i = 1; i < all.size(); ++i) follow(simulation);
+    follow(std::move(simulation));
     take(seconds.light);
     lights.front().seconds = seconds;
     return lights;
 }
-
-}  // namespace
-
-namespace {
 
 //! Returns the tree of the first field. A single field is traced by trials and
 //! by the result, so that its faces meet many rays.

@@ -122,6 +122,7 @@ def test_all_problems_of_rows_are_reported(tmp_path: Path) -> None:
         ",,grain,,4,1,t ha-1\n"
         ",,lai,,,,\n"
         ",,transpiration,,4,1,mm day-1\n"
+        ",,lai,,four,1,m2 m-2\n"
     )
     with pytest.raises(ideotype.Error) as caught:
         read_observations(table, FIELD)
@@ -134,6 +135,7 @@ def test_all_problems_of_rows_are_reported(tmp_path: Path) -> None:
         (6, "computes no grain"),
         (7, "neither a value nor an error"),
         (8, "no quantity 'transpiration'"),
+        (9, "value is 'four'"),
     ):
         assert any(
             x.startswith(f"{table}:{line}: ") and words in x for x in found

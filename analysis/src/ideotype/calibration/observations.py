@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..common.csv_rows import Problems
 from ..errors import Error, InputError
 from ..validation.comparison import Conditions, effective_error
 from ..validation.quantities import Seen, find_quantity
@@ -91,11 +92,12 @@ def read_observations(
 
     Raises Error with all problems of the table: of its cells, and of rows that
     the campaign cannot compute."""
-    rows = read_table(table)
-    if not rows:
-        raise Error(f"{table}: there is no row of measurements; add one")
-    return make_observations(
-        rows, campaign, hold_out=hold_out, seed=seed, keys=keys
+    problems = Problems()
+    rows = read_table(table, problems)
+    if not rows and not problems.texts:
+        problems.add(str(table), "there is no row of measurements; add one")
+    return _observations(
+        rows, campaign, problems, hold_out=hold_out, seed=seed, keys=keys
     )
 
 
@@ -109,30 +111,43 @@ def make_observations(
 ) -> Observations:
     """Groups rows by their conditions; the arguments are those of
     `read_observations`. Raises Error with the problems of all rows."""
+    return _observations(
+        rows, campaign, Problems(), hold_out=hold_out, seed=seed, keys=keys
+    )
+
+
+def _observations(
+    rows: list[Measurement],
+    campaign: Path,
+    problems: Problems,
+    *,
+    hold_out: float,
+    seed: int,
+    keys: Mapping[str, Any] | None,
+) -> Observations:
     conditions = Conditions(campaign, 2, False)
     common = dict(keys or {})
     groups: dict[str, tuple[dict[str, Any], list[int]]] = {}
-    problems: list[str] = []
     for index, row in enumerate(rows):
         if not row.is_measured and math.isnan(row.error):
-            problems.append(
-                f"{row.where}: there is neither a value nor an error; give the "
-                "value, or for a measurement to plan its standard error"
+            problems.add(
+                row.where,
+                "there is neither a value nor an error; give the value, or for "
+                "a measurement to plan its standard error",
             )
             continue
         if row.error == 0 and row.low == row.high:
-            problems.append(
-                f"{row.where}: error is 0; give the standard error of the value"
+            problems.add(
+                row.where, "error is 0; give the standard error of the value"
             )
         try:
             row_keys = {**common, **conditions.keys(row)}
         except Error as error:
-            problems.append(str(error))
+            problems.texts.append(str(error))
             continue
         groups.setdefault(repr(row_keys), (row_keys, []))[1].append(index)
-    problems += _check_groups(rows, conditions, list(groups.values()))
-    if problems:
-        raise Error("\n".join(dict.fromkeys(problems)))
+    _check_groups(rows, conditions, list(groups.values()), problems)
+    problems.raise_any()
     measured = np.array([row.is_measured for row in rows], bool)
     fitted = measured & ~_held_out(rows, measured, hold_out, seed)
     return Observations(
@@ -144,15 +159,15 @@ def _check_groups(
     rows: Sequence[Measurement],
     conditions: Conditions,
     groups: Sequence[tuple[dict[str, Any], list[int]]],
-) -> list[str]:
-    """Returns the problems of rows that the campaign cannot compute: keys,
+    problems: Problems,
+) -> None:
+    """Adds the problems of rows that the campaign cannot compute: keys,
     dates, quantities and units."""
-    problems = []
     for keys, indices in groups:
         try:
             seen = Seen(conditions.stand(conditions.settings(keys), seed=1))
         except (Error, InputError) as error:
-            problems.append(f"{rows[indices[0]].where}: {error}")
+            problems.add(rows[indices[0]].where, str(error))
             continue
         for index in indices:
             row = rows[index]
@@ -162,8 +177,7 @@ def _check_groups(
                 if quantity.check:
                     quantity.check(seen, row)
             except Error as error:
-                problems.append(f"{row.where}: {error}")
-    return problems
+                problems.add(row.where, str(error))
 
 
 def _held_out(

@@ -25,7 +25,7 @@ class Problems:
     def raise_any(self) -> None:
         """Raises Error with all problems, if there are any."""
         if self.texts:
-            raise Error("\n".join(self.texts))
+            raise Error("\n".join(dict.fromkeys(self.texts)))
 
 
 @dataclass(frozen=True)

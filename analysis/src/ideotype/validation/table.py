@@ -83,24 +83,28 @@ class Measurement:
         return (self.low + self.high) / 2
 
 
-def read_table(path: Path) -> list[Measurement]:
+def read_table(
+    path: Path, problems: Problems | None = None
+) -> list[Measurement]:
     """Reads a CSV file with the columns `COLUMNS`; lines that begin with # are
     comments.
 
-    Raises Error with all problems of the file and their lines."""
-    problems = Problems()
-    table = read_rows(path, problems)
+    problems: receives all problems of the file and their lines; the rows
+        without problems are returned. Without it they are raised as Error."""
+    found = problems if problems is not None else Problems()
+    table = read_rows(path, found)
     names = [name.lower() for name in table.names]
-    _check_names(names, table.head, problems)
+    _check_names(names, table.head, found)
     measured = [
         _measurement(
             {name: cell for name, cell in zip(names, cells) if cell},
             where,
-            problems,
+            found,
         )
         for where, cells in table.rows
     ]
-    problems.raise_any()
+    if problems is None:
+        found.raise_any()
     return [row for row in measured if row]
 
 

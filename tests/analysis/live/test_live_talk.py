@@ -382,3 +382,18 @@ def test_rough_answers_are_right_within_their_errors() -> None:
         off = talk_with(page, ask)
     assert np.sort(off, axis=0)[-2].max() < 3
     assert off.mean() > 0.05
+
+
+def test_a_page_states_the_gains_of_a_programme(tmp_path: Path) -> None:
+    (tmp_path / "reach.csv").write_text(
+        "method,cycles,gain,gain_standard_error,ceiling,"
+        "ceiling_standard_error,half_cycles\nindex,5,9.2,0.5,10.9,0.35,2.2\n"
+    )
+
+    async def greet(talk: Talk) -> str:
+        return str(talk.hello["about"])
+
+    with served("play", DAY, "--selection", str(tmp_path)) as page:
+        about = talk_with(page, greet)
+    assert about.startswith("The baseline of the campaign ames.toml.")
+    assert "by index gains 9.20 ± 0.98 % in 5 cycles; the ideotype" in about

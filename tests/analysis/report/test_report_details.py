@@ -18,7 +18,7 @@ from ideotype.figures.comparison import draw_energy
 from ideotype.figures.profiles import draw_layers
 from ideotype.history import open_history, open_study
 from ideotype.history.state import State
-from ideotype.report.programme import tabulate_reach
+from ideotype.report.programme import describe_reach, tabulate_reach
 from ideotype.tools.commands import report
 
 
@@ -116,6 +116,10 @@ def test_the_programme_of_a_selection_is_a_section(
         ["index", "5", "3.10 ± 0.20", "8.00 ± 0.98", "-"],
         ["yield", "5", "6.20 ± 0.20", "8.00 ± 0.98", "2.2"],
     ]
+    assert describe_reach(tmp_path).startswith(
+        "Selection of measured lines by index gains 3.10 ± 0.20 % in 5 cycles; "
+        "the ideotype gains 8.00 ± 0.98 %. Selection of measured lines by yield"
+    )
     assert report([str(finished), *words]) == 0
     page = (tmp_path / "report/report.html").read_text()
     assert "Breeding programme" in page and "6.20 ± 0.20" in page

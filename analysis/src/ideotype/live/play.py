@@ -9,6 +9,8 @@ import json
 import tomllib
 from collections.abc import Sequence
 from contextlib import closing
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import tomli_w
@@ -16,6 +18,7 @@ from tornado.web import HTTPError
 from tornado.websocket import WebSocketClosedError
 
 from ..errors import Error
+from ..report.programme import describe_reach
 from ..stand.stand import Stand
 from .bench import Bench, Shown
 from .conditions import Tables, make_tables
@@ -134,6 +137,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add("--of", metavar="NAME", help="plant of a CSV file with several")
     add("--crop", default="maize", metavar="CROP",
         help="crop, by name or file, for traits that were not measured")  # fmt: skip
+    add("--selection", type=Path, metavar="FOLDER",
+        help="folder of ideotype select; the page states the gains of its "
+        "programme")  # fmt: skip
     add_options(parser)
     options = parser.parse_args(arguments)
 
@@ -142,6 +148,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             options.plant, case=options.case, plant=options.of,
             crop=options.crop,
         )  # fmt: skip
+        if options.selection:
+            sentences = describe_reach(options.selection)
+            opened = replace(opened, about=f"{opened.about} {sentences}")
         with closing(Bench(opened)) as bench:
             given = {"bench": bench}
             app = make_application(

@@ -119,6 +119,16 @@ void complete_values(const Spec& spec, const VariableKey& variable,
         factor.number = static_cast<double>(entry - factor.values.begin());
 }
 
+//! Removes the capacity of leaves if their rate in full light varies, and the
+//! reverse, since each follows from the other.
+void drop_other_capacity(const BoundKey& varied, PhotosynthesisSpec& leaves) {
+    const auto* const numbers =
+        std::get_if<std::vector<double>*>(&varied.value);
+    if (!numbers) return;
+    if (*numbers == &leaves.amax) leaves.rate_2000.clear();
+    if (*numbers == &leaves.rate_2000) leaves.amax.clear();
+}
+
 }  // namespace
 
 std::vector<VariableKey> variable_keys(Spec& spec) {
@@ -196,11 +206,14 @@ void set_keys(Spec& spec, const std::vector<KeyFactor>& factors,
     const std::vector<VariableKey> keys = variable_keys(spec);
     const KnownNames known = names_of(spec.plant.crop);
     const Problems problems(spec.name);
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-        const VariableKey* const variable = find(keys, factors[i].key);
+    for (const KeyFactor& factor : factors) {
+        const VariableKey* const variable = find(keys, factor.key);
         IDEOTYPE_EXPECT(variable);
-        read_into(*variable, known, text_of(factors[i], numbers[i]), problems);
+        drop_other_capacity(variable->key, spec.plant.crop.photosynthesis);
     }
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        read_into(*find(keys, factors[i].key), known,
+                  text_of(factors[i], numbers[i]), problems);
     problems.throw_if_any();
     // A varied density determines the distance in the row.
     for (Named<Spacing>& spacing : spec.spacings)

@@ -126,6 +126,19 @@ TEST(Draws, OfGrowingPlantsEqualSeparateEvaluationsBitForBit) {
                       .mean);
 }
 
+TEST(Draws, OfTheCapacityReplaceTheRateInFullLight) {
+    const Campaign rate = small({});
+    EXPECT_FALSE(rate.spec.plant.crop.photosynthesis.rate_2000.empty());
+    const Campaign draws =
+        small({"objective.over=[\"draw\"]",
+               "draw=[{name=\"a\", keys=[\"photosynthesis.amax\"], "
+               "values=[45]}]"});
+    EXPECT_EQ(baseline_outcome(draws).objectives[0].mean,
+              baseline_outcome(small({"photosynthesis={amax=45}"}))
+                  .objectives[0]
+                  .mean);
+}
+
 TEST(Draws, AllFaultsAreReported) {
     const auto faults = [](const std::string& draw, const std::string& over) {
         try {

@@ -19,7 +19,7 @@ from .answers import (
 )
 from .calibration import Calibration, EmulatorCheck, calibrate
 from .draws import Draws, Robustness, format_draws
-from .emulator import Emulator
+from .emulator import Emulator, Fit
 from .likelihood import Posterior
 from .model import Evaluations, Model
 from .observations import Observations, make_observations, read_observations
@@ -38,6 +38,7 @@ __all__ = [
     "Emulator",
     "EmulatorCheck",
     "Evaluations",
+    "Fit",
     "Model",
     "Observations",
     "Parameter",

@@ -45,7 +45,7 @@ def _correlation(a: Numbers, b: Numbers, length: float) -> Numbers:
 
 
 @dataclass(frozen=True)
-class _Fit:
+class Fit:
     """An emulator without its error."""
 
     points: Numbers
@@ -54,14 +54,14 @@ class _Fit:
     length: float
 
     @staticmethod
-    def to(x: Numbers, y: Numbers, length: float, noise: float) -> _Fit:
+    def to(x: Numbers, y: Numbers, length: float, noise: float) -> Fit:
         basis = terms(x, len(x))
         trend: Any
         weights: Any
         trend = np.linalg.lstsq(basis, y, rcond=None)[0]
         covariance = _correlation(x, x, length) + noise * np.eye(len(x))
         weights = np.linalg.solve(covariance, y - basis @ trend)
-        return _Fit(x, trend, weights, length)
+        return Fit(x, trend, weights, length)
 
     def __call__(self, x: Numbers) -> Numbers:
         return (
@@ -74,7 +74,7 @@ class _Fit:
 class Emulator:
     """An emulator of all rows with the standard error of each."""
 
-    fit: _Fit
+    fit: Fit
     error: Numbers
     """The standard error of each row, the root mean square in cross-validation
     [rows]."""
@@ -107,7 +107,7 @@ class Emulator:
             apart = np.empty_like(y)
             for k in range(FOLDS):
                 left_out = fold == k
-                part = _Fit.to(x[~left_out], y[~left_out], length, noise)
+                part = Fit.to(x[~left_out], y[~left_out], length, noise)
                 apart[left_out] = part(x[left_out]) - y[left_out]
             errors = np.sqrt((apart[is_near] ** 2).mean(axis=0))
             score = float(((errors / scale) ** 2).mean())
@@ -115,7 +115,7 @@ class Emulator:
                 best = score, length, noise, errors
         assert best is not None
         _, length, noise, errors = best
-        return Emulator(_Fit.to(x, y, length, noise), errors, len(x))
+        return Emulator(Fit.to(x, y, length, noise), errors, len(x))
 
     def with_error(self, error: Numbers) -> Emulator:
         """Returns this emulator with another standard error."""

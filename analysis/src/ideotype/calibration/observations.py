@@ -17,7 +17,7 @@ from ..common.csv_rows import Problems
 from ..errors import Error, InputError
 from ..validation.comparison import Conditions, effective_error
 from ..validation.quantities import Seen, find_quantity
-from ..validation.table import Measurement, factor_to, read_table
+from ..validation.table import Measurement, collect_table, factor_to
 
 Numbers = NDArray[np.float64]
 
@@ -93,7 +93,7 @@ def read_observations(
     Raises Error with all problems of the table: of its cells, and of rows that
     the campaign cannot compute."""
     problems = Problems()
-    rows = read_table(table, problems)
+    rows = collect_table(table, problems)
     if not rows and not problems.texts:
         problems.add(str(table), "there is no row of measurements; add one")
     return _observations(

@@ -6,9 +6,10 @@ an objective, and programmes of recurrent selection.
 file of lines. `Field` evaluates the plants of lines in a campaign. `select`
 computes everything, and `write_selection` writes it."""
 
-from .covariances import mean_products
+from .covariances import MeanProducts, mean_products
 from .field import Field
 from .genetics import Population, estimate, read_lines
+from .genome import Founders, GeneticMap
 from .index import Advice, Index, intensity, response, smith_hazel
 from .made import make_trial
 from .page import write_selection
@@ -23,7 +24,10 @@ from .trial import Trial, read_trial
 __all__ = [
     "Advice",
     "Field",
+    "Founders",
+    "GeneticMap",
     "Index",
+    "MeanProducts",
     "Method",
     "Options",
     "Plan",

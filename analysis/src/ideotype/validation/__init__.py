@@ -6,7 +6,7 @@ source. `compare` evaluates the plants of a campaign under the same conditions
 and returns a `Result`: the computed and measured value of each point, and
 whether they agree."""
 
-from .comparison import Point, Result, compare
+from .comparison import Conditions, Point, Result, compare
 from .facts import (
     Fact,
     Facts,
@@ -22,6 +22,7 @@ from .table import Measurement, read_table
 
 __all__ = [
     "QUANTITIES",
+    "Conditions",
     "Fact",
     "Facts",
     "Intervention",

@@ -83,28 +83,31 @@ class Measurement:
         return (self.low + self.high) / 2
 
 
-def read_table(
-    path: Path, problems: Problems | None = None
-) -> list[Measurement]:
+def read_table(path: Path) -> list[Measurement]:
     """Reads a CSV file with the columns `COLUMNS`; lines that begin with # are
     comments.
 
-    problems: receives all problems of the file and their lines; the rows
-        without problems are returned. Without it they are raised as Error."""
-    found = problems if problems is not None else Problems()
-    table = read_rows(path, found)
+    Raises Error with all problems of the file and their lines."""
+    problems = Problems()
+    measured = collect_table(path, problems)
+    problems.raise_any()
+    return measured
+
+
+def collect_table(path: Path, problems: Problems) -> list[Measurement]:
+    """Returns the rows of a file as for `read_table` that have no problems,
+    and adds the problems of the others."""
+    table = read_rows(path, problems)
     names = [name.lower() for name in table.names]
-    _check_names(names, table.head, found)
+    _check_names(names, table.head, problems)
     measured = [
         _measurement(
             {name: cell for name, cell in zip(names, cells) if cell},
             where,
-            found,
+            problems,
         )
         for where, cells in table.rows
     ]
-    if problems is None:
-        found.raise_any()
     return [row for row in measured if row]
 
 

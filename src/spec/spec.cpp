@@ -91,7 +91,8 @@ bool is_over(const Spec& spec, const std::string& axis) {
 bool asks_for_assimilation(const Spec& spec) {
     const auto is_of = [](const std::string& name) {
         const std::string quantity = name.substr(name.find('.') + 1);
-        return is_of_assimilation(quantity) || is_of_grain(quantity);
+        return is_of_assimilation(quantity) || is_of_grain(quantity) ||
+               is_of_prices(quantity);
     };
     return std::ranges::any_of(spec.objective.maximised, is_of) ||
            std::ranges::any_of(spec.objective.minimised, is_of) ||

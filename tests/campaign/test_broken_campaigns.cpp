@@ -319,10 +319,12 @@ TEST(BrokenCampaign, FieldsDivideTheRandomisations) {
 
 TEST(BrokenCampaign, AssimilationInOneFieldNeedsRandomisations) {
     const std::string light = "[light]\ntolerance = 0\nrandomisations = 2\n";
-    const std::string wanted = "[objective]\nmaximise = \"net_assimilation\"\n";
-    EXPECT_NE(problem_of(sample_text("", light + wanted))
-                  .find("light.randomisations is 2 (too few for assimilation"),
-              std::string::npos);
+    for (const std::string wanted : {"net_assimilation", "margin"})
+        EXPECT_NE(
+            problem_of(sample_text("", light + "[objective]\nmaximise = \"" +
+                                           wanted + "\"\n"))
+                .find("light.randomisations is 2 (too few for assimilation"),
+            std::string::npos);
     EXPECT_NO_THROW(parse_campaign(sample_text("", light), "sample.toml"));
 }
 

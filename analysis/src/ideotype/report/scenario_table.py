@@ -20,15 +20,18 @@ def tabulate_scenarios(cases: Sequence[Case]) -> list[Table]:
     rows_by_title: dict[str, list[list[str]]] = {}
     better: dict[str, int] = {}
     for case in cases:
-        objectives = case.best.row.with_axis("scenario") if case.pairs else []
-        for objective in objectives:
+        if not case.pairs:
+            continue
+        signs = {
+            f"{goal.name}_by_scenario": goal.sign
+            for goal in case.best.row.goals
+        }
+        for objective in case.best.row.with_axis("scenario"):
+            if objective.name not in signs:
+                continue  # a part of the margin
+            sign = signs[objective.name]
             title = axis_label(objective.name, objective.unit)
             rows = rows_by_title.setdefault(title, [])
-            (sign,) = (
-                goal.sign
-                for goal in case.best.row.goals
-                if objective.name == f"{goal.name}_by_scenario"
-            )
             was, now = (
                 plant.profile(objective.name)
                 for plant in (case.baseline, case.best)

@@ -2,7 +2,10 @@
 #include "campaign/weather_reader.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -134,14 +137,22 @@ std::string in_year(std::string path, int year) {
     return path;
 }
 
+//! A weather file, with its table as soon as it is parsed.
+struct SharedFile {
+    FileText text;
+    std::string sha256{};
+    std::optional<WeatherFile> table{};
+};
+
 struct WeathersReader {
     const std::string& campaign_file;
     TextSource source;
     Spec& spec;
     const Problems& problems;
     std::set<std::string> reported{};
-    std::string last_path{};
-    FileText last_file{};
+    //! Files by path, site and table of the climate: years may share one.
+    std::map<std::tuple<std::string, std::string, std::size_t>, SharedFile>
+        files{};
 
     void read() {
         for (std::size_t i = 0; i < spec.weathers.size(); ++i)
@@ -197,18 +208,24 @@ struct WeathersReader {
         const std::string path = path_from(
             campaign_file, in_year(is_of_site ? site.weather : climate.file,
                                    climate.period.from.year));
-        // Years may share a file.
-        if (path != last_path)
-            last_file = read_file(last_path = path, most_data_bytes);
-        const FileText& file = last_file;
-        if (!file.is_there)
+        const auto [found, is_first] =
+            files.try_emplace({path, site.name, climate.table});
+        SharedFile& file = found->second;
+        if (is_first) {
+            file.text = read_file(path, most_data_bytes);
+            file.sha256 = sha256(file.text.text);
+        }
+        if (!file.text.is_there)
             return of_file.add(key, ProblemCode::file,
                                "{}; give a path relative to this file",
-                               file.refusal(path));
+                               file.text.refusal(path));
         problems.open(path);
         try {
-            const Weather weather = parse_weather(
-                file.text, request_of(path, site, climate, spec.par_fraction));
+            if (!file.table)
+                file.table.emplace(
+                    file.text.text,
+                    request_of(path, site, climate, spec.par_fraction));
+            const Weather weather = file.table->parse(climate.period);
             for (const Problem& warning : weather.warnings)
                 if (is_new(warning))
                     problems.warn(of_file.named_by(key, warning));
@@ -216,7 +233,7 @@ struct WeathersReader {
                 to_site_weather(weather.series, spec.plant.crop.follows));
             weathers.back().site = site.name;
             weathers.back().climate = name;
-            weathers.back().sha256 = sha256(file.text);
+            weathers.back().sha256 = file.sha256;
         } catch (const InputError& error) {
             // If several sites share a file, report its problems only once.
             for (const Problem& problem : error.problems())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -137,10 +139,31 @@ void compare_photons(const std::vector<WeatherStep>& steps, double par_fraction,
 
 }  // namespace
 
+//! The text of a file, to which lines and header refer.
+struct WeatherFile::Contents {
+    Contents(std::string file_text, const WeatherRequest& file_request)
+        : text(std::move(file_text)), request(file_request) {
+        Findings findings(request.file);
+        table = read_table(lines, request, findings);
+    }
+
+    std::string text;
+    WeatherRequest request;
+    std::vector<std::string_view> lines = split_lines(text);
+    WeatherTable table;
+};
+
+WeatherFile::WeatherFile(std::string text, const WeatherRequest& request)
+    : contents_(std::make_shared<Contents>(std::move(text), request)) {}
+
 Weather parse_weather(const std::string& text, const WeatherRequest& request) {
-    const std::vector<std::string_view> lines = split_lines(text);
+    return WeatherFile(text, request).parse(request.period);
+}
+
+Weather WeatherFile::parse(const std::optional<Period>& period) const {
+    const auto& [text, request, lines, whole] = *contents_;
     Findings findings(request.file);
-    WeatherTable table = read_table(lines, request, findings);
+    WeatherTable table = select_period(whole, period, findings);
     read_values(table, lines, request.par_fraction, findings);
     // Read all values, and interpolate those of the air.
     std::vector<WeatherStep> steps = make_steps(table, findings);

@@ -205,30 +205,6 @@ void check_order(const WeatherTable& table, Findings& findings) {
     findings.stop_if_any();
 }
 
-//! Removes the rows outside the period, by default the period of the file.
-void select_period(WeatherTable& table, const std::optional<Period>& period,
-                   Findings& findings) {
-    auto& rows = table.rows;
-    table.begin = rows.front().middle;
-    table.end = rows.back().middle + table.step;
-    if (!period) return;
-    const std::string first = to_string(period->from);
-    const std::string last = to_string(period->to);
-    table.begin = midnight(period->from);
-    table.end = midnight(period->to) + 24h;
-    if (rows.front().middle >= table.begin + 24h ||
-        rows.back().middle < table.end - 24h)
-        findings.stop(0, 0,
-                      "the file has {} to {}, but the period is {} to {}; "
-                      "choose days that it has",
-                      to_string(date_at(rows.front().middle)),
-                      to_string(date_at(rows.back().middle)), first, last);
-    std::erase_if(rows, [&](const WeatherStep& row) {
-        return row.middle < table.begin || row.middle >= table.end;
-    });
-    if (rows.empty()) findings.stop(0, 0, "no row is in the period");
-}
-
 }  // namespace
 
 std::optional<std::size_t> WeatherTable::find_column(const std::string& name,
@@ -285,8 +261,35 @@ WeatherTable read_table(const std::vector<std::string_view>& lines,
     find_step(table, findings);
     choose_clock(table, request.site);
     check_order(table, findings);
-    select_period(table, request.period, findings);
+    table.begin = table.rows.front().middle;
+    table.end = table.rows.back().middle + table.step;
     return table;
+}
+
+WeatherTable select_period(const WeatherTable& table,
+                           const std::optional<Period>& period,
+                           Findings& findings) {
+    if (!period) return table;
+    const auto& rows = table.rows;
+    WeatherTable selected{table.columns,    table.header, table.header_line, {},
+                          table.utc_offset, table.step};
+    const std::string first = to_string(period->from);
+    const std::string last = to_string(period->to);
+    selected.begin = midnight(period->from);
+    selected.end = midnight(period->to) + 24h;
+    if (rows.front().middle >= selected.begin + 24h ||
+        rows.back().middle < selected.end - 24h)
+        findings.stop(0, 0,
+                      "the file has {} to {}, but the period is {} to {}; "
+                      "choose days that it has",
+                      to_string(date_at(rows.front().middle)),
+                      to_string(date_at(rows.back().middle)), first, last);
+    const auto row_at = [&](ClockTime time) {
+        return std::ranges::lower_bound(rows, time, {}, &WeatherStep::middle);
+    };
+    selected.rows.assign(row_at(selected.begin), row_at(selected.end));
+    if (selected.rows.empty()) findings.stop(0, 0, "no row is in the period");
+    return selected;
 }
 
 }  // namespace ideotype

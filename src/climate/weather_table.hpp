@@ -212,11 +212,17 @@ struct WeatherTable {
 std::optional<DateOrder> find_date_order(
     const std::vector<std::vector<CsvField>>& stamps);
 
-//! Reads the header and the rows of a period, except for their values.
-//! @throws InputError if the file is not a weather table or does not cover the
-//! period, if a stamp is unreadable, or if rows are out of order.
+//! Reads the header and all rows, except for their values.
+//! @throws InputError if the file is not a weather table, if a stamp is
+//! unreadable, or if rows are out of order.
 WeatherTable read_table(const std::vector<std::string_view>& lines,
                         const WeatherRequest& request, Findings& findings);
+
+//! Returns a table with the rows of a period, by default that of the file.
+//! @throws InputError if the file does not cover the period.
+WeatherTable select_period(const WeatherTable& table,
+                           const std::optional<Period>& period,
+                           Findings& findings);
 
 //! Reads the values of each row, and determines whether light is given in
 //! photons.

@@ -117,6 +117,21 @@ TEST(WeatherTable, FilesInUtcUseDaysOfTheSite) {
     expect_same(weather, parse(MadeCsv(), made_request()));
 }
 
+TEST(WeatherTable, PeriodsOfAFileAreThoseOfSeparateReadings) {
+    const std::string text = MadeCsv(20).text();
+    const WeatherFile file(text, made_request());
+    for (const Period& period : {Period{{2011, 7, 2}, {2011, 7, 9}},
+                                 Period{{2011, 7, 10}, {2011, 7, 20}}}) {
+        WeatherRequest request = made_request();
+        request.period = period;
+        const Weather weather = file.parse(period);
+        expect_same(weather, parse_weather(text, request));
+        EXPECT_EQ(weather.series.steps.front().date.day, period.from.day);
+        EXPECT_EQ(weather.series.days, period.to.day - period.from.day + 1);
+    }
+    EXPECT_THROW(file.parse(Period{{2012, 7, 2}, {2012, 7, 9}}), InputError);
+}
+
 TEST(WeatherTable, UnitsAreConverted) {
     const Weather plain = parse(MadeCsv(), made_request());
     const auto parse_in = [](const std::string& unit, double factor) {

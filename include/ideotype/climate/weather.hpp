@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -130,5 +131,22 @@ WeatherDescription describe_weather(const std::string& text,
 //! light, wrong order, duplicates, gaps, days that are not in the file, and
 //! light that does not follow the sun of the site.
 Weather parse_weather(const std::string& text, const WeatherRequest& request);
+
+//! A weather file with a table that is read once for several periods. All of
+//! its rows must be readable and in order.
+class WeatherFile {
+  public:
+    //! @param request its period only appears in messages
+    //! @throws InputError if the text is not a table of weather.
+    WeatherFile(std::string text, const WeatherRequest& request);
+
+    //! Returns the weather of a period as parse_weather().
+    //! @throws InputError as parse_weather().
+    Weather parse(const std::optional<Period>& period) const;
+
+  private:
+    struct Contents;
+    std::shared_ptr<const Contents> contents_;
+};
 
 }  // namespace ideotype

@@ -114,7 +114,7 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
         {"soybean", 2},        {"strip", 1},          {"alley", 1},
         {"cultivars", 1},      {"mixture", 1},        {"invader", 1},
         {"intercrop", 1},      {"agrivoltaic", 1},    {"growing_season", 1},
-        {"atlas", 1}};
+        {"atlas", 1},          {"maize_belt", 5}};
     std::size_t count = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {

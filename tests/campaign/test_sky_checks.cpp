@@ -89,13 +89,17 @@ TEST(SkyChecks, CampaignsOfTheProjectCauseNoWarning) {
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS))
         if (entry.path().extension() == ".toml") {
             ++campaigns;
-            // The densest spacings of this campaign exceed those of real fields
-            // on purpose.
+            // The densest spacings of a campaign exceed those of real fields
+            // on purpose, and one hybrid does not mature at all five latitudes
+            // of another.
             const bool is_dense = entry.path().stem() == "spacings";
+            const bool is_late = entry.path().stem() == "maize_belt";
             for (const Problem& warning :
                  read_campaign(entry.path().string()).warnings)
-                EXPECT_TRUE(is_dense && warning.what.find("leaf area index") !=
-                                            std::string::npos)
+                EXPECT_TRUE((is_dense && warning.what.find("leaf area index") !=
+                                             std::string::npos) ||
+                            (is_late && warning.what.find("not mature") !=
+                                            std::string::npos))
                     << to_string(warning);
         }
     EXPECT_GE(campaigns, 8);

@@ -24,6 +24,7 @@ from . import tables
 from .answer import make_answer, tabulate_leaves
 from .blocks import Note, Section, Viewer
 from .case_section import make_plants, make_section
+from .decision_section import decide_case, make_decision_section
 from .estimates import DrawnGains, evaluate_draws
 from .gallery import draw_all
 from .light_tables import describe_balance, tabulate_organs
@@ -94,6 +95,7 @@ def write_report(
     has_split: bool = True,
     selection: Path | None = None,
     estimates: Sequence[Parameter] = (),
+    has_decision: bool = True,
 ) -> Written:
     """Writes report.html, results.csv, the figure for a paper (figure.pdf and
     figure.png) and figures/ into the folder, over those of an earlier report.
@@ -110,7 +112,9 @@ def write_report(
     are re-evaluated with leaves alone, and with `estimates` under 20 draws of
     these parameters of the crop. `selection` is a folder that
     ideotype.selection.write_selection() has written; its programme is a
-    section of the page.
+    section of the page. With `has_decision` cases with prices have a section
+    that decides between a few plants with their managements, which are
+    re-evaluated for it; decision.html has that section alone, to be printed.
 
     Raises HistoryError if no history has an evaluation, OutputRefused if a
     symbolic link is where a file or folder is to be written, OSError if the
@@ -119,7 +123,9 @@ def write_report(
     page, table = folder / "report.html", folder / "results.csv"
     pictures = folder / "figures"
     paper = [folder / name for name in FILES]
-    for path in (page, table, *paper, pictures / "any"):
+    for path in (
+        page, table, folder / "decision.html", *paper, pictures / "any"
+    ):  # fmt: skip
         require_output(path, folder)
     every = study.cases()
     cases = [case for case in every if not case.is_sensitivity]
@@ -145,6 +151,9 @@ def write_report(
             if estimates
             else {}
         )
+        decision = make_decision_section(
+            [decide_case(case) for case in cases] if has_decision else []
+        )
         files = [Path(path) for path in plants]
         built = list(run(partial(make_plants, plant_files=files), cases))
         shapes = [
@@ -152,6 +161,7 @@ def write_report(
         ]
         searched = [
             _result(study, cases, shapes, splits, drawn),
+            decision,
             _gains(cases, cross, splits),
             _programme(selection),
             _places(cases, cross),
@@ -190,6 +200,12 @@ def write_report(
         ),
         folder,
     )
+    if decision.blocks:
+        write_file(
+            folder / "decision.html",
+            render(f"Decision: {_title(every)}", _subtitle(study), [decision]),
+            folder,
+        )
     if any(case.pairs for case in cases):
         figures += paper
     return Written(page, figures)

@@ -60,8 +60,8 @@ def report(arguments: Sequence[str] | None = None) -> int:
     add = parser.add_argument
     add(
         "-o", "--output", type=Path, default=Path("report"), metavar="DIR",
-        help="folder for report.html, results.csv, the figure for a paper "
-        "(figure.pdf, figure.png) and figures/ (default: report)",
+        help="folder for report.html, decision.html, results.csv, the figure "
+        "for a paper (figure.pdf, figure.png) and figures/ (default: report)",
     )  # fmt: skip
     add(
         "--figures", action="append", metavar="CASE",
@@ -85,6 +85,11 @@ def report(arguments: Sequence[str] | None = None) -> int:
         metavar="FILE",
         help="a cross-evaluation, .json or .csv",
     )
+    add(
+        "--no-decision", dest="has_decision", action="store_false",
+        help="do not re-evaluate plants to decide between them at the [prices] "
+        "of the campaign",
+    )  # fmt: skip
     add(
         "--pdf",
         action="store_true",
@@ -222,6 +227,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
             has_split=options.has_split,
             selection=options.selection,
             estimates=estimates,
+            has_decision=options.has_decision,
         )
     size = written.page.stat().st_size / 1e6
     folder = written.page.parent

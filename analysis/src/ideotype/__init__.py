@@ -8,8 +8,9 @@ histories that the program writes, on any system.
 The packages are `stand` (plants and their light), `search` (optimizers),
 `history` (histories of searches), `figures`, `report`, `live` (interactive
 pages), `validation` (field measurements), `calibration` (parameters from
-measurements), `selection` (breeding programmes) and `tools` (one module for
-each command)."""
+measurements), `selection` (breeding programmes), `environments`
+(representative years), `decision` (plant and management at prices) and `tools`
+(one module for each command)."""
 
 from __future__ import annotations
 
@@ -22,6 +23,8 @@ from .mesh import mesh
 if TYPE_CHECKING:
     from . import (
         calibration,
+        decision,
+        environments,
         figures,
         history,
         live,
@@ -55,6 +58,8 @@ __all__ = [
     "Search",
     "Stand",
     "calibration",
+    "decision",
+    "environments",
     "figures",
     "history",
     "leaf_energy_balance",
@@ -89,6 +94,8 @@ _SOURCES = {
 }
 _PACKAGES = [
     "calibration",
+    "decision",
+    "environments",
     "figures",
     "history",
     "live",

@@ -6,7 +6,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from ideotype.decision import PARTS, Rule, weights_of_prices
+from ideotype.decision import Rule, weights_of_prices
+from ideotype.decision.margin import PARTS
 
 PRICES = {"grain": 200, "seed": 0.003, "water": 0.4, "other": 700}
 

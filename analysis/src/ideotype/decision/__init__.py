@@ -9,11 +9,10 @@ management, re-evaluates them with independent random numbers, and returns a
 `Decision`."""
 
 from .decision import Decision, Switch, decide
-from .margin import PARTS, Rule, weights_of_prices
+from .margin import Rule, weights_of_prices
 from .options import Options, read_options
 
 __all__ = [
-    "PARTS",
     "Decision",
     "Options",
     "Rule",

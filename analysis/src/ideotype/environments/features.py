@@ -40,7 +40,7 @@ def read_features(
     campaign: str | os.PathLike[str], settings: Sequence[str] = ()
 ) -> Features:
     """Returns the features of all climates of a campaign, as the program reads
-    their weather. With several sites, each has features of its own.
+    their weather. With several sites, each has separate features.
 
     Phases are those of the main crop: flowering is the period within 15 days
     of silking, and filling ends at maturity. Where plants do not grow, phases

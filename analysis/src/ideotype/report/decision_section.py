@@ -7,9 +7,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 
-from ..decision import PARTS, Decision, decide, read_options
+from ..decision import Decision, decide, read_options
 from ..decision.decision import is_significant
-from ..decision.margin import PRICE_UNITS
+from ..decision.margin import PARTS, PRICE_UNITS
 from ..decision.options import has_prices
 from ..errors import Error
 from ..history.case import Case

@@ -43,9 +43,8 @@ from shared import (
 
 import ideotype
 from ideotype import Stand
-from ideotype.decision import Rule, weights_of_prices
+from ideotype.decision import Rule, Worth
 from ideotype.decision.decision import mean_over_environments
-from ideotype.decision.margin import PARTS
 from ideotype.environments import (
     Representatives,
     choose_representatives,
@@ -252,7 +251,8 @@ def compare_prices(options: argparse.Namespace) -> None:
     genomes = np.array(list(plants.values()))
     fields = list(product(DENSITIES, ROWS))
     choices = [(name, *field) for field in fields for name in plants]
-    names = [name for name, _ in PARTS.values() if name != "electricity"]
+    worth = Worth.of_prices(PRICES)
+    names = [name for name in worth.parts if name != "electricity"]
     found = [
         [evaluate(managed(options, chosen, *field), genomes, names, seed)
          for field in fields]
@@ -265,8 +265,7 @@ def compare_prices(options: argparse.Namespace) -> None:
 
     def values(of: Numbers, seed: float, water: float) -> Numbers:
         prices = {**PRICES, "seed": seed, "water": water}
-        factors, fixed = weights_of_prices(prices)
-        return np.asarray(of @ factors[: len(names)] + fixed)
+        return worth.of(np.pad(of, ((0, 0), (0, 1))), prices)
 
     def describe(index: int) -> str:
         name, density, row = choices[index]

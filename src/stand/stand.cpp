@@ -337,9 +337,17 @@ RandomisedOutcome Stand::evaluate_by_randomisation(const Plants& plants,
                                           chosen, plants.front(), report));
             const std::vector<Randomised> quantities =
                 measure_by_randomisation(report);
-            apart.resize(report.randomisations());
-            for (std::size_t r = 0; r < apart.size(); ++r) {
-                Outcome& one = apart[r].emplace_back(outcomes.back());
+            const Outcome& all = outcomes.back();
+            const std::size_t count = report.randomisations();
+            apart.resize(count);
+            for (std::size_t r = 0; r < count; ++r) {
+                Outcome& one = apart[r].emplace_back(all);
+                one.randomisations.clear();
+                for (std::size_t k = 0; k < all.objectives.size(); ++k) {
+                    const double value = all.randomisations.at(k * count + r);
+                    one.objectives[k] = {value, 0};
+                    one.randomisations.push_back(value);
+                }
                 for (std::size_t q = 0; q < quantities.size(); ++q) {
                     const std::vector<double>& values =
                         quantities[q].by_randomisation;

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ideotype.decision import Options, Rule
+from ideotype.decision import Options, Rule, Worth
 from ideotype.decision.decision import (
     Decision,
     choose_candidates,
@@ -28,7 +28,7 @@ def made_options(parts: np.ndarray) -> Options:
         "made",
         tuple(f"year {e}" for e in range(count)),
         np.full(count, 1 / count),
-        PRICES,
+        Worth.of_prices(PRICES),
         Rule(),
         tuple(np.array([float(i)]) for i in range(plants)),
         (None,) * plants,  # type: ignore[arg-type]
@@ -41,9 +41,9 @@ def made_decision(parts: np.ndarray, noise: float = 0.0) -> Decision:
     """Returns a decision between plants with common and own noise of
     grain."""
     draw = np.random.default_rng(1)
-    draws = np.repeat(parts[..., None], 16, axis=-1)
-    draws[:, :, 0] += draw.normal(0, 1, 16)  # common: it cancels
-    draws[:, :, 0] += noise * draw.normal(0, 1, draws[:, :, 0].shape)
+    draws = np.repeat(parts[:, :, None], 16, axis=2)
+    draws[..., 0] += draw.normal(0, 1, 16)  # common: it cancels
+    draws[..., 0] += noise * draw.normal(0, 1, draws[..., 0].shape)
     options = made_options(parts)
     return Decision(
         "made",
@@ -54,7 +54,7 @@ def made_decision(parts: np.ndarray, noise: float = 0.0) -> Decision:
         ({},) * len(parts),
         options.environments,
         options.weights,
-        PRICES,
+        options.worth,
         Rule(),
         draws,
     )
@@ -124,7 +124,7 @@ def test_true_ties_are_rarely_declared_different() -> None:
     for _ in range(200):
         made = made_decision(parts)
         draws = made.draws.copy()
-        draws[:, :, 0] += rng.normal(0, 0.1, draws[:, :, 0].shape)
+        draws[..., 0] += rng.normal(0, 0.1, draws[..., 0].shape)
         wrong += len(replace(made, draws=draws).equals()) < 2
     assert wrong < 40
 

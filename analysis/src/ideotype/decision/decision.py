@@ -14,16 +14,16 @@ import numpy as np
 from ..history.estimate import NORMAL, Estimate
 from ..history.history import History
 from .evaluate import evaluate_parts
-from .margin import PARTS, Floats, Rule, weights_of_prices
 from .options import Options
+from .worth import Floats, Rule, Worth
 
 _FACTORS = np.linspace(0, 3, 61)
 """Prices of the sweep, relative to those of the campaign."""
 _MOST = 5
-"""Largest number of plants of the sweeps."""
+"""Largest number of candidates of the environments, and of each price."""
 _GAIN = 0.002
-"""A plant is a candidate if it raises the mean over a sweep by this share of
-the mean size of the margin."""
+"""A plant is a candidate if it raises the mean over environments, or over a
+sweep of prices, by this share of the mean size of the worth."""
 
 
 @dataclass(frozen=True)
@@ -59,28 +59,25 @@ class Decision:
     """The searched keys of each candidate."""
     environments: tuple[str, ...]
     weights: Floats
-    prices: Mapping[str, float]
+    worth: Worth
     rule: Rule
     draws: Floats
-    """The parts [candidates, environments, parts, randomisations]."""
+    """The parts [candidates, environments, randomisations, parts]."""
     switches: tuple[Switch, ...] = ()
 
-    def margin_draws(
-        self, prices: Mapping[str, float] | None = None
-    ) -> Floats:
-        """Returns margins [candidates, environments, randomisations]."""
-        factors, fixed = weights_of_prices(prices or self.prices)
-        return np.einsum("cepr,p->cer", self.draws, factors) + fixed
+    def worth_draws(self, prices: Mapping[str, float] | None = None) -> Floats:
+        """Returns the worth [candidates, environments, randomisations]."""
+        return self.worth.of(self.draws, prices)
 
     def value_draws(self, prices: Mapping[str, float] | None = None) -> Floats:
         """Returns the values over environments [candidates, randomisations].
         The environments that count are those of the means, as in the
         program."""
-        margins = self.margin_draws(prices)
+        worth = self.worth_draws(prices)
         if self.rule.name == "probability":
-            return self.rule.value(np.moveaxis(margins, 1, -1), self.weights)
-        shares = self.rule.shares(margins.mean(-1), self.weights)
-        return np.einsum("cer,ce->cr", margins, shares)
+            return self.rule.value(np.moveaxis(worth, 1, -1), self.weights)
+        shares = self.rule.shares(worth.mean(-1), self.weights)
+        return np.einsum("cer,ce->cr", worth, shares)
 
     @property
     def best(self) -> int:
@@ -89,12 +86,12 @@ class Decision:
 
     def value(self, candidate: int) -> Estimate:
         """Returns the value of a candidate over environments."""
-        return self._estimate(self.value_draws()[candidate])
+        return self.estimate(self.value_draws()[candidate])
 
     def advantage(self, candidate: int, over: int) -> Estimate:
         """Returns the paired difference of values."""
         draws = self.value_draws()
-        return self._estimate(draws[candidate] - draws[over])
+        return self.estimate(draws[candidate] - draws[over])
 
     def equals(self) -> list[int]:
         """Returns the candidates without a significant difference from the
@@ -112,9 +109,9 @@ class Decision:
     def regret(self, candidate: int, environment: int) -> Estimate:
         """Returns the loss of a candidate against the best candidate of an
         environment, with a paired standard error."""
-        margins = self.margin_draws()[:, environment]
-        best = int(margins.mean(-1).argmax())
-        return self._estimate(margins[best] - margins[candidate])
+        worth = self.worth_draws()[:, environment]
+        best = int(worth.mean(-1).argmax())
+        return _estimate(worth[best] - worth[candidate], self.worth.unit)
 
     def regret_over_environments(
         self, candidate: int
@@ -129,29 +126,35 @@ class Decision:
             ]
         )
         mean, error = mean_over_environments(regrets, self.weights)
-        return Estimate(mean, error, "currency ha-1"), float(regrets.max())
+        return Estimate(mean, error, self.worth.unit), float(regrets.max())
 
     def wins(self, candidate: int, over: int) -> float:
         """Returns the weight of the environments in which a candidate has a
-        higher margin than another."""
-        margins = self.margin_draws().mean(-1)
-        return float(self.weights @ (margins[candidate] > margins[over]))
+        higher worth than another."""
+        worth = self.worth_draws().mean(-1)
+        return float(self.weights @ (worth[candidate] > worth[over]))
 
     def advantage_between_environments(
         self, candidate: int, over: int
     ) -> Estimate:
-        """Returns the weighted mean of the differences of margins, with the
+        """Returns the weighted mean of the differences of the worth, with the
         standard error of the sampled environments."""
-        margins = self.margin_draws().mean(-1)
+        worth = self.worth_draws().mean(-1)
         mean, error = mean_over_environments(
-            margins[candidate] - margins[over], self.weights
+            worth[candidate] - worth[over], self.weights
         )
-        return Estimate(mean, error, "currency ha-1")
+        return Estimate(mean, error, self.worth.unit)
 
-    def _estimate(self, draws: Floats) -> Estimate:
-        unit = "1" if self.rule.name == "probability" else "currency ha-1"
-        error = draws.std(ddof=1) / np.sqrt(len(draws))
-        return Estimate(float(draws.mean()), float(error), unit, draws)
+    def estimate(self, draws: Floats) -> Estimate:
+        """Returns a value over environments, or a difference of values, from
+        its randomisations."""
+        unit = "1" if self.rule.name == "probability" else self.worth.unit
+        return _estimate(draws, unit)
+
+
+def _estimate(draws: Floats, unit: str) -> Estimate:
+    error = draws.std(ddof=1) / np.sqrt(len(draws))
+    return Estimate(float(draws.mean()), float(error), unit, draws)
 
 
 def _score(value: Estimate) -> float:
@@ -183,54 +186,40 @@ def mean_over_environments(
 
 def choose_candidates(options: Options) -> dict[int, str]:
     """Returns the rows to re-evaluate, each with its role for readers: the
-    baseline, the best at the prices of the campaign, the best in each
-    environment, and a few that are best at other prices."""
+    baseline, the best at the prices of the campaign, and a few that are
+    better in some environments or at other prices."""
     chosen: dict[int, str] = {}
     baseline = np.flatnonzero(options.is_baseline)
     if len(baseline):
         chosen[int(baseline[0])] = "baseline"
-    values = options.values()
-    chosen.setdefault(int(values.argmax()), "best at these prices")
-    margins = options.margins()
-    if len(options.environments) > 1:
-        for e, name in enumerate(options.environments):
-            chosen.setdefault(int(margins[:, e].argmax()), f"best in {name}")
-    for price in swept_prices(options):
-        for index in _cover(options, price, [*chosen]):
-            chosen.setdefault(index, f"best at another price of {price}")
+    worth = options.worth
+    chosen.setdefault(int(options.values().argmax()), "best of the search")
+    environments = options.environments
+    for index, e in _cover(options.worths().T, [*chosen]):
+        chosen[index] = f"better in {environments[e]}"
+    for price in worth.swept_prices(options.parts):
+        at = _FACTORS * worth.prices[price]
+        values = [options.values(worth.at(price, x)) for x in at]
+        for index, i in _cover(np.array(values), [*chosen]):
+            chosen[index] = f"better at a price of {price} of {at[i]:.3g}"
     return chosen
 
 
-def swept_prices(options: Options) -> list[str]:
-    """Returns the prices that are above 0 and multiply a part that some plant
-    has."""
-    return [
-        price
-        for i, price in enumerate(PARTS)
-        if options.prices.get(price, 0) > 0 and options.parts[..., i].any()
-    ]
+def _cover(values: Floats, known: Sequence[int]) -> list[tuple[int, int]]:
+    """Returns rows that, in addition to the known ones, are best in some
+    situations, until another one adds little; each with the situation in which
+    it adds most.
 
-
-def _cover(options: Options, price: str, known: Sequence[int]) -> list[int]:
-    """Returns rows that, in addition to the known ones, are best at some
-    prices of a sweep, until another one adds little."""
-    values = np.array(
-        [
-            options.values(
-                {**options.prices, price: options.prices[price] * x}
-            )
-            for x in _FACTORS
-        ]
-    )  # [prices, rows]
+    values: values [situations, rows]."""
     scale = float(np.abs(values.max(1)).mean())
     reached = values[:, list(known)].max(1)
-    added: list[int] = []
+    added: list[tuple[int, int]] = []
     while len(added) < _MOST:
-        gains = np.maximum(values - reached[:, None], 0).mean(0)
-        index = int(gains.argmax())
-        if gains[index] <= _GAIN * scale:
+        gains = np.maximum(values - reached[:, None], 0)
+        index = int(gains.mean(0).argmax())
+        if gains[:, index].mean() <= _GAIN * scale:
             break
-        added.append(index)
+        added.append((index, int(gains[:, index].argmax())))
         reached = np.maximum(reached, values[:, index])
     return added
 
@@ -239,13 +228,12 @@ def find_switches(decision: Decision, price: str) -> list[Switch]:
     """Returns the switches of the best candidate along a price, from 0 to
     three times that of the campaign. The first half of the randomisations
     locates them, the second half checks them."""
-    usual = decision.prices[price]
-    half = decision.draws.shape[-1] // 2
+    half = decision.draws.shape[2] // 2
 
     def values_at(at: float) -> Floats:
-        return decision.value_draws({**decision.prices, price: at})
+        return decision.value_draws(decision.worth.at(price, at))
 
-    grid = _FACTORS * usual
+    grid = _FACTORS * decision.worth.prices[price]
     best = [int(values_at(x)[:, :half].mean(-1).argmax()) for x in grid]
     switches = []
     for i in range(1, len(grid)):
@@ -268,7 +256,7 @@ def find_switches(decision: Decision, price: str) -> list[Switch]:
                 float(error / abs(slope)) if slope else math.inf,
                 below,
                 above,
-                decision._estimate(gap(1.1 * at)[half:]),
+                decision.estimate(gap(1.1 * at)[half:]),
             )
         )
     return switches
@@ -310,24 +298,23 @@ def decide(
     chosen = choose_candidates(options)
     rows = list(chosen)
     seed = derive_seed(options.histories)
-    tasks = [(c, e) for c in rows for e in range(len(options.environments))]
     done = 0
 
-    def run(task: tuple[int, int]) -> Floats:
+    def run(row: int) -> Floats:
         nonlocal done
-        row, environment = task
         found = evaluate_parts(
-            options.histories[row], options.genomes[row], environment, seed
+            options.histories[row],
+            options.genomes[row],
+            options.worth,
+            len(options.environments),
+            seed,
         )
         done += 1
-        tell(done, len(tasks))
+        tell(done, len(rows))
         return found
 
     with ThreadPoolExecutor(threads or len(os.sched_getaffinity(0))) as pool:
-        results = list(pool.map(run, tasks))
-    draws = np.array(results).reshape(
-        len(rows), len(options.environments), *results[0].shape
-    )
+        draws = np.array([*pool.map(run, rows)])
     baseline = next(
         (i for i, row in enumerate(rows) if options.is_baseline[row]), None
     )
@@ -344,13 +331,13 @@ def decide(
         tuple(options.keys(row) for row in rows),
         options.environments,
         options.weights,
-        options.prices,
+        options.worth,
         options.rule,
         draws,
     )
     switches = [
         switch
-        for price in swept_prices(options)
+        for price in decision.worth.swept_prices(draws)
         for switch in find_switches(decision, price)
     ]
     return replace(decision, switches=tuple(switches))

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,41 +14,41 @@ from ..errors import Error
 from ..history.case import Case
 from ..history.history import History
 from ..history.rows import Origin, Rows
-from .margin import PARTS, Floats, Rule, weights_of_prices
+from .evaluate import name_in
+from .worth import Floats, Rule, Worth
 
 
 @dataclass(frozen=True)
 class Options:
     """The feasible plants of a case that have been evaluated, with the parts
-    of their margins in each environment."""
+    of their worth in each environment."""
 
     case: str
     environments: tuple[str, ...]
     weights: Floats
     """The weights of the environments; their sum is 1."""
-    prices: Mapping[str, float]
-    """The prices of the campaign."""
+    worth: Worth
+    """What is compared; with the prices of the campaign."""
     rule: Rule
     genomes: tuple[Floats, ...]
     histories: tuple[History, ...]
     """The history of each plant."""
     parts: Floats
-    """The parts [plants, environments, parts] in the order of PARTS; a
-    campaign without panels or soil has no electricity or irrigation."""
+    """The parts of the worth [plants, environments, parts]; a campaign without
+    panels or soil has no electricity or irrigation."""
     is_baseline: NDArray[np.bool_]
 
     def __len__(self) -> int:
         return len(self.genomes)
 
-    def margins(self, prices: Mapping[str, float] | None = None) -> Floats:
-        """Returns the margins of all plants in all environments
+    def worths(self, prices: Mapping[str, float] | None = None) -> Floats:
+        """Returns the worth of all plants in all environments
         [plants, environments], by default at the prices of the campaign."""
-        factors, fixed = weights_of_prices(prices or self.prices)
-        return self.parts @ factors + fixed
+        return self.worth.of(self.parts, prices)
 
     def values(self, prices: Mapping[str, float] | None = None) -> Floats:
         """Returns the values over environments [plants]."""
-        return self.rule.value(self.margins(prices), self.weights)
+        return self.rule.value(self.worths(prices), self.weights)
 
     def keys(self, index: int) -> dict[str, float]:
         """Returns the searched keys of the campaign of a plant."""
@@ -65,19 +64,33 @@ def keys_of(history: History, genome: Floats) -> dict[str, float]:
     return {x["key"]: float(v) for x, v in zip(keys, values)}
 
 
-def has_prices(case: Case) -> bool:
-    """Returns whether the campaign of a case has prices."""
-    return "prices" in case.resolved
+def find_worth(case: Case) -> Worth | None:
+    """Returns what a decision about a case compares: the margin at the prices
+    of its campaign, or else the only objective, if it is maximised over
+    several scenarios; None if neither exists."""
+    if "prices" in case.resolved:
+        prices = case.resolved["prices"]
+        return Worth.of_prices({key: float(x) for key, x in prices.items()})
+    rows = case.best.row
+    goal, *others = rows.goals
+    if others or goal.sign < 0 or not rows.with_axis("scenario"):
+        return None
+    unit = rows.quantities[f"{goal.name}_by_scenario"].unit
+    return Worth.of_objective(goal.name, unit)
 
 
 def read_options(case: Case) -> Options:
-    """Returns the options of a case with prices: all evaluated plants of all
-    its searches, the baseline included.
+    """Returns the options of a case: all evaluated plants of all its searches,
+    the baseline included.
 
-    Raises Error if the campaign has no prices, or no plant is evaluated."""
-    if not has_prices(case):
-        raise Error(f"{case.name}: the campaign has no [prices]; add them")
-    resolved = case.resolved
+    Raises Error if the campaign has neither prices nor one maximised objective
+    over scenarios, or if no plant is evaluated."""
+    worth = find_worth(case)
+    if worth is None:
+        raise Error(
+            f"{case.name}: nothing to decide; the campaign needs [prices], or "
+            "one objective that is maximised over several scenarios"
+        )
     names: tuple[str, ...] = ("all",)
     weights = np.ones(1)
     genomes: list[Floats] = []
@@ -89,7 +102,7 @@ def read_options(case: Case) -> Options:
         if not len(rows):
             continue
         names, weights = _environments(rows)
-        parts.append(_parts(rows))
+        parts.append(_parts(rows, worth, len(names)))
         genomes += list(rows.genome)
         histories += [history] * len(rows)
         baseline.append(rows.origin == Origin.BASELINE)
@@ -99,17 +112,13 @@ def read_options(case: Case) -> Options:
         case.name,
         names,
         weights,
-        _prices(resolved),
-        Rule.read(resolved),
+        worth,
+        Rule.read(case.resolved, worth),
         tuple(genomes),
         tuple(histories),
         np.concatenate(parts),
         np.concatenate(baseline),
     )
-
-
-def _prices(resolved: Mapping[str, Any]) -> dict[str, float]:
-    return {name: float(x) for name, x in resolved["prices"].items()}
 
 
 def _environments(rows: Rows) -> tuple[tuple[str, ...], Floats]:
@@ -123,15 +132,12 @@ def _environments(rows: Rows) -> tuple[tuple[str, ...], Floats]:
     return names, np.full(len(names), 1 / len(names))
 
 
-def _parts(rows: Rows) -> Floats:
-    """Returns the parts of the margins [rows, environments, parts]."""
-    names = [name for name, _ in PARTS.values()]
-    count = len(_environments(rows)[0])
-    parts = np.zeros((len(rows), count, len(names)))
-    for i, name in enumerate(names):
-        by_scenario = f"{name}_by_scenario"
-        found = by_scenario if by_scenario in rows.quantities else name
-        if found in rows.quantities:
-            values = rows.quantities[found].values
+def _parts(rows: Rows, worth: Worth, environments: int) -> Floats:
+    """Returns the parts of the worth [rows, environments, parts]."""
+    parts = np.zeros((len(rows), environments, len(worth.parts)))
+    for i, part in enumerate(worth.parts):
+        name = name_in(rows.quantities, part)
+        if name in rows.quantities:
+            values = rows.quantities[name].values
             parts[:, :, i] = values.reshape(len(rows), -1)
     return parts

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The section of a report that decides between plants and managements at the
-prices of the campaign."""
+"""The section of a report that decides between plants and managements, at the
+prices of the campaign or by an objective over scenarios."""
 
 from __future__ import annotations
 
@@ -9,19 +9,23 @@ from collections.abc import Callable, Sequence
 
 from ..decision import Decision, decide, read_options
 from ..decision.decision import is_significant
-from ..decision.margin import PARTS, PRICE_UNITS
-from ..decision.options import has_prices
+from ..decision.options import find_worth
+from ..decision.worth import PRICE_UNITS, PRICED
 from ..errors import Error
+from ..figures.style import axis_label
 from ..history.case import Case
 from ..history.estimate import Estimate
 from .blocks import Note, Section, Table
 
 _LIMITS = (
-    "Not certain on this page: the weather of other years than those listed; "
-    "nutrients, weeds, pests, lodging and frost, which the model lacks; prices, "
-    "which are inputs without errors; and electricity outside the season of the "
-    "crop. Plants that were not evaluated may be better than all listed ones, "
-    "above all at other prices, for which no search was run."
+    "Not certain on this page: environments other than those listed, and what "
+    "the model lacks: nutrients, weeds, pests, lodging and frost. Plants that "
+    "were not evaluated may be better than all listed ones."
+)
+_LIMITS_OF_PRICES = (
+    " That is likely at other prices, for which no search was run. Prices are "
+    "inputs without errors. Electricity outside the season of the crop does not "
+    "count."
 )
 _QUANTITIES = {
     "grain": "grain [t ha\N{SUPERSCRIPT MINUS}\N{SUPERSCRIPT ONE}]",
@@ -37,8 +41,8 @@ def decide_case(
     tell: Callable[[int, int], object] = lambda done, count: None,
 ) -> Decision | Note | None:
     """Returns the decision of a case, the reason why there is none, or None if
-    its campaign has no prices or the search has not ended."""
-    if not has_prices(case) or not case.pairs or not case.is_final:
+    there is nothing to decide or the search has not ended."""
+    if not case.pairs or not case.is_final or find_worth(case) is None:
         return None
     try:
         return decide(read_options(case), tell=tell)
@@ -58,21 +62,26 @@ def make_decision_section(
         elif each is not None:
             _add(section, each)
     if section.blocks:
-        section.note(_LIMITS)
+        has_prices = any(
+            isinstance(each, Decision) and each.worth.prices
+            for each in decisions
+        )
+        section.note(_LIMITS + (_LIMITS_OF_PRICES if has_prices else ""))
     return section
 
 
 def _add(section: Section, decision: Decision) -> None:
     best = decision.best
-    prices = ", ".join(
-        f"{name} {decision.prices[name]:g} {unit}"
+    prices = decision.worth.prices
+    listed = ", ".join(
+        f"{name} {prices[name]:g} {unit}"
         for name, unit in PRICE_UNITS.items()
-        if decision.prices.get(name, 0) > 0
+        if prices.get(name, 0) > 0
     )
     section.note(
         f"{decision.case}: choose {_describe(decision, best)}. Its "
-        f"{_value_name(decision)} is {_text(decision.value(best))} at these "
-        f"prices: {prices}."
+        f"{_value_name(decision)} is {_text(decision.value(best))}"
+        + (f" at these prices: {listed}." if prices else ".")
     )
     for sentence in _certain(decision):
         section.note(sentence)
@@ -88,7 +97,13 @@ def _value_name(decision: Decision) -> str:
     if decision.rule.name == "probability":
         return rule
     over = "" if len(decision.environments) == 1 else f" ({rule})"
-    return f"margin per hectare{over}"
+    return f"{_worth_name(decision)}{over}"
+
+
+def _worth_name(decision: Decision) -> str:
+    if decision.worth.prices:
+        return "margin per hectare"
+    return axis_label(decision.worth.name, decision.worth.unit)
 
 
 def _describe(decision: Decision, candidate: int) -> str:
@@ -113,9 +128,9 @@ def _certain(decision: Decision) -> list[str]:
             share = 100 * decision.wins(best, baseline)
             years = decision.advantage_between_environments(best, baseline)
             text += (
-                f" in these environments, with a higher margin in {share:.0f} "
-                "% of them by weight; if they are a random sample, the mean "
-                f"margin is {_text(years)} higher"
+                f"; it is better in {share:.0f} % of the environments by "
+                "weight. If these are a random sample, its mean is "
+                f"{_text(years)} higher"
             )
         sentences.append(text + ".")
     equal = decision.equals()
@@ -138,6 +153,8 @@ def _certain(decision: Decision) -> list[str]:
 
 def describe_switches(decision: Decision) -> list[str]:
     """Returns a sentence for each price at which the decision changes."""
+    if not decision.worth.prices:
+        return []
     sentences = []
     for switch in decision.switches:
         if math.isfinite(switch.at_standard_error):
@@ -161,8 +178,8 @@ def describe_switches(decision: Decision) -> list[str]:
     changing = {switch.price for switch in decision.switches}
     same = [
         price
-        for price in PARTS
-        if decision.prices.get(price, 0) > 0 and price not in changing
+        for price in PRICED
+        if decision.worth.prices.get(price, 0) > 0 and price not in changing
     ]
     if same:
         sentences.append(
@@ -176,13 +193,13 @@ def describe_switches(decision: Decision) -> list[str]:
 def _tabulate_candidates(decision: Decision) -> Table:
     shown = [
         (i, _QUANTITIES[price])
-        for i, price in enumerate(PARTS)
-        if decision.draws[:, :, i].any()
+        for i, price in enumerate(PRICED if decision.worth.prices else ())
+        if decision.draws[..., i].any()
     ]
     order = (-decision.value_draws().mean(-1)).argsort()
     rows = []
     for c in map(int, order):
-        parts = decision.draws[c].mean(-1).T @ decision.weights
+        parts = decision.weights @ decision.draws[c].mean(1)
         mean, largest = decision.regret_over_environments(c)
         rows.append(
             [
@@ -232,8 +249,9 @@ def _tabulate_regret(decision: Decision) -> Table:
     return Table(
         ["environment", "weight", *decision.names],
         rows,
-        "Regret: margin of the best listed option of an environment less that "
-        "of each option, per hectare. Paired 95 % intervals, each by itself.",
+        f"Regret: {_worth_name(decision)} of the best listed option of an "
+        "environment less that of each option. Paired 95 % intervals, each by "
+        "itself.",
     )
 
 

@@ -112,9 +112,10 @@ def write_report(
     are re-evaluated with leaves alone, and with `estimates` under 20 draws of
     these parameters of the crop. `selection` is a folder that
     ideotype.selection.write_selection() has written; its programme is a
-    section of the page. With `has_decision` cases with prices have a section
-    that decides between a few plants with their managements, which are
-    re-evaluated for it; decision.html has that section alone, to be printed.
+    section of the page. With `has_decision` cases with prices or with an
+    objective over scenarios have a section that decides between a few plants
+    with their managements, which are re-evaluated for it; decision.html has that
+    section alone, to be printed.
 
     Raises HistoryError if no history has an evaluation, OutputRefused if a
     symbolic link is where a file or folder is to be written, OSError if the

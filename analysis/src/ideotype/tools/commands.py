@@ -87,8 +87,8 @@ def report(arguments: Sequence[str] | None = None) -> int:
     )
     add(
         "--no-decision", dest="has_decision", action="store_false",
-        help="do not re-evaluate plants to decide between them at the [prices] "
-        "of the campaign",
+        help="do not re-evaluate plants to decide between them at [prices] or "
+        "over scenarios",
     )  # fmt: skip
     add(
         "--pdf",

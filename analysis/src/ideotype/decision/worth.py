@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The margin as a sum of physical parts and prices, and its value over
+"""What a decision compares, the margin or an objective, and its value over
 environments."""
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-PARTS = {
+PRICED = {
     "grain": ("grain_yield_moist", 1.0),
     "seed": ("seeds", -1e4),
     "water": ("irrigation", -10.0),
@@ -33,14 +33,55 @@ PRICE_UNITS = {
 _ROUNDING = 1e-9
 
 
-def weights_of_prices(prices: Mapping[str, float]) -> tuple[Floats, float]:
-    """Returns the factors of the parts in the order of PARTS, and the sum that
-    no part changes [currency ha-1]: margin = parts @ factors + sum."""
-    factors = [
-        factor * float(prices.get(price, 0))
-        for price, (_, factor) in PARTS.items()
-    ]
-    return np.array(factors), -float(prices.get("other", 0))
+@dataclass(frozen=True)
+class Worth:
+    """What a decision compares: a sum of stored quantities, the parts, of which
+    more is better. With prices it is the margin, else an objective."""
+
+    name: str
+    unit: str
+    parts: tuple[str, ...]
+    """The names of the quantities."""
+    prices: Mapping[str, float]
+    """The prices of the margin by name; empty for an objective."""
+
+    @classmethod
+    def of_prices(cls, prices: Mapping[str, float]) -> Worth:
+        """Returns the margin at prices with the names of [prices]."""
+        parts = tuple(name for name, _ in PRICED.values())
+        return cls("margin", "currency ha-1", parts, dict(prices))
+
+    @classmethod
+    def of_objective(cls, name: str, unit: str) -> Worth:
+        """Returns an objective that is maximised."""
+        return cls(name, unit, (name,), {})
+
+    def of(
+        self, parts: Floats, prices: Mapping[str, float] | None = None
+    ) -> Floats:
+        """Returns the worth [...] of parts [..., parts], by default at its own
+        prices. These have no effect on an objective."""
+        if not self.prices:
+            return parts[..., 0]
+        prices = self.prices if prices is None else prices
+        factors = [
+            factor * float(prices.get(price, 0))
+            for price, (_, factor) in PRICED.items()
+        ]
+        return np.asarray(parts @ factors - float(prices.get("other", 0)))
+
+    def at(self, price: str, value: float) -> dict[str, float]:
+        """Returns the prices with another value of one of them."""
+        return {**self.prices, price: value}
+
+    def swept_prices(self, parts: Floats) -> list[str]:
+        """Returns the prices above 0 of parts [..., parts] that are not all
+        0."""
+        return [
+            price
+            for i, price in enumerate(PRICED)
+            if self.prices.get(price, 0) > 0 and parts[..., i].any()
+        ]
 
 
 @dataclass(frozen=True)
@@ -53,11 +94,11 @@ class Rule:
     threshold: float = 0.0
 
     @classmethod
-    def read(cls, resolved: Mapping[str, Any]) -> Rule:
+    def read(cls, resolved: Mapping[str, Any], worth: Worth) -> Rule:
         """Returns the rule of a resolved campaign: that of its objective if
-        this is the margin, else the mean."""
+        this is the worth, else the mean."""
         objective = resolved.get("objective", {})
-        if objective.get("maximise") not in ("margin", ["margin"]):
+        if objective.get("maximise") not in (worth.name, [worth.name]):
             return cls()
         return cls(
             objective.get("scenarios", "mean"),
@@ -74,24 +115,24 @@ class Rule:
             return f"probability of {self.threshold:g} or more"
         return self.name
 
-    def value(self, margins: Floats, weights: Floats) -> Floats:
+    def value(self, values: Floats, weights: Floats) -> Floats:
         """Returns the value over environments [...].
 
-        margins: margins [..., environments].
+        values: values [..., environments].
         weights: weights of environments with a sum of 1."""
         if self.name == "probability":
-            return (margins >= self.threshold) @ weights
-        return (margins * self.shares(margins, weights)).sum(-1)
+            return (values >= self.threshold) @ weights
+        return (values * self.shares(values, weights)).sum(-1)
 
-    def shares(self, margins: Floats, weights: Floats) -> Floats:
+    def shares(self, values: Floats, weights: Floats) -> Floats:
         """Returns the weight of each environment in the value
         [..., environments]. The rule `probability` has the weights of
         environments, as for the mean."""
         if self.name in ("mean", "probability"):
-            return np.broadcast_to(weights, margins.shape)
-        order = np.argsort(margins, axis=-1, kind="stable")
+            return np.broadcast_to(weights, values.shape)
+        order = np.argsort(values, axis=-1, kind="stable")
         sorted_weights = np.take_along_axis(
-            np.broadcast_to(weights, margins.shape), order, -1
+            np.broadcast_to(weights, values.shape), order, -1
         )
         before = np.cumsum(sorted_weights, -1) - sorted_weights
         if self.name == "worst":

@@ -35,12 +35,11 @@ import numpy as np
 import pandas as pd
 from estimates import print_table
 from scipy.special import stdtrit
-from shared import CAMPAIGNS, folder_at, guard, parser_of
+from shared import CAMPAIGNS, best, breed, folder_at, guard, parser_of
 
-from ideotype import Stand
+from ideotype import Stand, open_history
 from ideotype.calibration import (
     Calibration,
-    Draws,
     Emulator,
     Evaluations,
     Model,
@@ -53,11 +52,11 @@ from ideotype.calibration import (
     pairs,
     predict,
     sample,
-    stands_at,
     values_at,
 )
 from ideotype.calibration.calibration import design_points, scale_values
 from ideotype.calibration.parameters import settings_at
+from ideotype.common.settings import format_settings
 from ideotype.validation import (
     Measurement,
     compare,
@@ -371,64 +370,92 @@ def show_fields(
         )
 
 
-def show_bred(generations: int, draws: int, seeds: int) -> None:
-    """Prints plants bred over draws of the estimates against plants bred at
-    their middle."""
+def write_robust(
+    path: Path, parameters: Sequence[Parameter], values: np.ndarray
+) -> Path:
+    """Writes the field of a clear day with draws of parameters."""
+    text, _ = format_draws(parameters, values)
+    campaign = FIELD.read_text(encoding="utf-8").replace(
+        '"crops/', f'"{FACTS}/crops/'
+    )
+    path.write_text(f"{campaign}\n{text}", encoding="utf-8")
+    return path
+
+
+def show_bred(folder: Path, generations: int, draws: int, seeds: int) -> None:
+    """Prints plants of searches over draws of the estimates against plants of
+    searches at their middle."""
     parameters = [*CLEAR_DAY[4:], Parameter("photosynthesis.rd", 1, 3)]
+    z = np.random.default_rng(3).normal(size=(2 * draws, len(parameters)))
+    used, new = np.split(values_at(parameters, z), 2)
     keys = {
-        **SMALL, "objective.maximise": "net_assimilation",
-        "plant.bounds": "breedable",
+        **SMALL, "plant.bounds": "breedable", "objective.over": ["draw"],
+        "objective.maximise": "net_assimilation",
     }  # fmt: skip
-    observations = make_observations(clear_day_rows()[:1], FIELD, keys=keys)
-    random = np.random.default_rng(3)
-    z = random.normal(size=(draws, len(parameters)))
-    values = values_at(parameters, z)
-    over = Draws(stands_at(observations, parameters, values))
-    middle = Draws(
-        stands_at(observations, parameters,
-                  values_at(parameters, np.zeros((1, len(parameters)))))
-    )  # fmt: skip
-    ways = {
-        "middle": (middle, "mean"),
-        f"{draws} draws, mean": (over, "mean"),
-        f"{draws} draws, worst": (over, "worst"),
-    }
+    middle = values_at(parameters, np.zeros((1, len(parameters))))
+    ways = {"middle": (middle, "mean"), "mean": (used, "mean"),
+            "worst": (used, "worst")}  # fmt: skip
     plants, spent = {}, {}
-    for name, (stands, how) in ways.items():
-        cpu = time.process_time()
-        for seed in range(1, seeds + 1):
-            plants[name, seed] = stands.breed(
-                how, generations=generations, population=16, seed=seed
-            )
-        spent[name] = (time.process_time() - cpu) / seeds
-    new = values_at(parameters, random.normal(size=(draws, len(parameters))))
-    for title, points in (("the same draws", values), ("other draws", new)):
-        judged = Draws(stands_at(observations, parameters, points)).compare(
-            [middle.stands[0].start, *plants.values()],
-            ["baseline", *(name for name, _ in plants)],
+    for name, (points, rule) in ways.items():
+        path = write_robust(folder / f"{name}.toml", parameters, points)
+        settings = {
+            **keys, "objective.scenarios": rule, "replicates": seeds,
+            "search.population": 16, "stop.generations": generations,
+        }  # fmt: skip
+        histories = breed(
+            path, f"bred_{name}", format_settings(settings), folder
         )
-        print(
-            f"{title} (mean of {seeds} searches, ± their standard deviation)"
+        plants[name] = [best(history) for history in histories]
+        spent[name] = np.mean([seconds_of(history) for history in histories])
+    for title, points in (("the same draws", used), ("other draws", new)):
+        stand = Stand.from_campaign(
+            write_robust(folder / "judged.toml", parameters, points),
+            settings=keys,
         )
-        table = judged.table().groupby("plant", sort=False)
-        mean = table.mean()
-        half = table.std(ddof=1) * stdtrit(seeds - 1, 0.975) / seeds**0.5
+        genomes = [stand.baseline, *np.concatenate([*plants.values()])]
+        column = "net_assimilation_by_scenario"
+        values = stand.evaluate(genomes, [column], final=True)[column].values
+        gains = 100 * (values[1:] / values[0] - 1)
+        of_draws = {
+            "mean gain [%]": gains.mean(1),
+            "worst": gains.min(1),
+            "best": gains.max(1),
+            "draws better than the baseline": (gains > 0).mean(1),
+            "regret": (gains.max(0) - gains).mean(1),
+        }
+        print(f"{title} ({seeds} searches each)")
         print_table(
-            ["bred over", "mean gain [%]", "worst", "best",
-             "draws better than the baseline", "regret", "CPU s"],
+            ["bred over", *of_draws, "CPU s"],
             [
                 [
                     name,
-                    f"{mean['mean'][name]:.2f} ± {half['mean'][name]:.2f}",
-                    f"{mean.worst[name]:.2f} ± {half.worst[name]:.2f}",
-                    f"{mean.best[name]:.2f}",
-                    f"{mean.probability[name]:.2f}",
-                    f"{mean.regret[name]:.2f}",
+                    *(
+                        plus_minus_of(x.reshape(len(ways), seeds)[i])
+                        for x in of_draws.values()
+                    ),
                     f"{spent[name]:.0f}",
                 ]
-                for name in ways
+                for i, name in enumerate(ways)
             ],
-        )  # fmt: skip
+        )
+        by_way = of_draws["mean gain [%]"].reshape(len(ways), seeds)
+        print(
+            "mean over draws less middle, paired by the seed: "
+            f"{plus_minus_of(by_way[1] - by_way[0])}"
+        )
+
+
+def plus_minus_of(values: np.ndarray) -> str:
+    """Returns a mean over searches with half of its 95 % interval."""
+    count = len(values)
+    half = values.std(ddof=1) * stdtrit(count - 1, 0.975) / count**0.5
+    return f"{values.mean():.2f} ± {half:.2f}"
+
+
+def seconds_of(history: Path) -> float:
+    """Returns the time of all evaluations of a history [s]."""
+    with open_history(history) as opened:
+        return float(opened.evaluations().done.seconds.sum())
 
 
 def show_twelve(folder: Path) -> None:
@@ -467,12 +494,9 @@ def show_shared(folder: Path, draws: int = 20) -> None:
     photosynthesis, which share their light."""
     parameters = [*CLEAR_DAY[4:], Parameter("photosynthesis.rd", 1, 3)]
     z = np.random.default_rng(3).normal(size=(draws, len(parameters)))
-    text, _ = format_draws(parameters, values_at(parameters, z))
-    campaign = FIELD.read_text(encoding="utf-8").replace(
-        '"crops/', f'"{FACTS}/crops/'
+    robust = write_robust(
+        folder / "robust.toml", parameters, values_at(parameters, z)
     )
-    robust = folder / "robust.toml"
-    robust.write_text(f"{campaign}\n{text}", encoding="utf-8")
     keys = {**SMALL, "objective.maximise": "net_assimilation"}
     alone = Stand.from_campaign(FIELD, settings=keys)
     together = Stand.from_campaign(
@@ -539,7 +563,10 @@ def main() -> None:
             options.folder, options.measured, 20 if rough else None
         ),
         "bred": lambda: show_bred(
-            2 if rough else 40, 3 if rough else 20, 2 if rough else 3
+            options.folder,
+            4 if rough else 40,
+            3 if rough else 20,
+            2 if rough else 8,
         ),
         "twelve": lambda: show_twelve(options.folder),
         "shared": lambda: show_shared(options.folder),

@@ -12,7 +12,6 @@ import pytest
 
 import ideotype
 from ideotype.calibration import (
-    Draws,
     Evaluations,
     Model,
     Parameter,
@@ -21,7 +20,6 @@ from ideotype.calibration import (
     make_observations,
     predict,
     read_observations,
-    stands_at,
 )
 from ideotype.tools.calibrate import main
 from ideotype.validation import Measurement, shipped_facts
@@ -151,32 +149,6 @@ def test_rows_are_held_out_by_quantity() -> None:
     assert [x.sum() for x in chosen] == [2, 2, 2]
     assert np.array_equal(chosen[0], chosen[1])
     assert not np.array_equal(chosen[0], chosen[2])
-
-
-def test_plants_are_compared_over_draws() -> None:
-    keys = FAST | {
-        "objective.maximise": "net_assimilation",
-        "plant.bounds": "breedable",
-    }
-    rates = [Parameter("photosynthesis.rate_2000", 40, 60)]
-    observations = make_observations(rows()[:1], FIELD, keys=keys)
-    draws = Draws(
-        stands_at(observations, rates, np.array([[40.0], [50.0], [60.0]]))
-    )
-    start = draws.stands[0].start
-    values = draws.evaluate([start, start])
-    # More capacity, more assimilation; equal plants are equal.
-    assert np.all(np.diff(values[:, 0]) > 0)
-    assert np.array_equal(values[:, 0], values[:, 1])
-    assert draws.across(values, "worst")[0] == values[0, 0]
-    assert draws.across(values, 0.5)[0] == values[1, 0]
-    with pytest.raises(ideotype.Error, match='use "mean"'):
-        draws.across(values, "best")
-    bred = draws.breed("mean", generations=30, population=12)
-    judged = draws.compare([start, bred], ["baseline", "bred"])
-    table = judged.table()
-    assert table["mean"][1] > 0 and table.probability[1] == 1
-    assert table.regret[1] == 0 < table.regret[0]
 
 
 def test_draws_are_tables_of_a_campaign(tmp_path: Path) -> None:

@@ -4,8 +4,8 @@
 `read_observations` reads a table of measurements, `read_parameters` the priors
 of parameters, and `calibrate` returns their posterior distribution, a
 `Calibration`. `predict`, `combinations`, `pairs` and `next_measurements` answer
-questions about it. `Draws` evaluates and breeds plants over draws of the
-posterior or of the prior."""
+questions about it. `format_draws` writes draws of the posterior or of the prior
+as scenarios of a campaign."""
 
 from .answers import (
     Predictions,
@@ -18,7 +18,7 @@ from .answers import (
     stands_at,
 )
 from .calibration import Calibration, EmulatorCheck, calibrate
-from .draws import Draws, Robustness, format_draws
+from .draws import format_draws
 from .emulator import Emulator, Fit
 from .likelihood import Posterior
 from .model import Evaluations, Model
@@ -34,7 +34,6 @@ from .sampler import Samples, find_mode, sample
 
 __all__ = [
     "Calibration",
-    "Draws",
     "Emulator",
     "EmulatorCheck",
     "Evaluations",
@@ -44,7 +43,6 @@ __all__ = [
     "Parameter",
     "Posterior",
     "Predictions",
-    "Robustness",
     "Samples",
     "calibrate",
     "combinations",

@@ -139,6 +139,29 @@ def test_a_plant_is_seen_day_by_day(tmp_path: Path) -> None:
         assert "days after emergence" in text(phone, ".charts")
 
 
+def test_prices_and_seasons_change_the_margin(tmp_path: Path) -> None:
+    campaign = CAMPAIGNS / "maize_belt.toml"
+    with served("play", campaign) as page, shown(page, tmp_path) as phone:
+        click(phone, "[data-tab=stand]")
+        assert "Margin" in text(phone, "#numbers")
+        assert text(phone, "#prices").count("per ") >= 4
+        before, grain = (
+            number(phone, name)[0] for name in ("margin", "grain_yield_moist")
+        )
+        move(phone, "price_grain", 0.5)
+        after = number(phone, "margin")[0]
+        price = phone.value("page.shown.conditions.price_grain")
+        assert price == pytest.approx(285, abs=5)
+        # The page has more random numbers than a moment ago.
+        assert after - before == pytest.approx((price - 190) * grain, rel=0.2)
+        move(phone, "season", 1)
+        assert "made_2094" in text(phone, "#f-season")
+        assert number(phone, "margin")[0] != after
+        # Prices and soil need a season.
+        is_hidden = "document.querySelector('[data-when=day]').hidden"
+        assert phone.value(is_hidden) is True
+
+
 def test_a_search_is_watched_and_undone(tmp_path: Path) -> None:
     with served("play", DAY) as page, shown(page, tmp_path) as phone:
         picture, genome = view(phone), phone.value("page.shown.genome")

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..common.processors import processors
+from ..errors import Error
 from ..stand.stand import Stand
 from .conditions import Conditions, Tables, make_tables
 from .numbers import Array, Layout, Samples
@@ -95,7 +96,7 @@ class Bench:
     def __init__(self, opened: Opened) -> None:
         self.opened = opened
         self.own = opened.conditions
-        self.growth = Growth(opened.base) if grows(opened.base) else None
+        self._growths: dict[int, Growth] = {}
         plants = opened.base["plant"], *opened.base.get("component", [])
         self.is_plastic = any(
             "plasticity" in plant.get(key, {})
@@ -113,6 +114,30 @@ class Bench:
         self._places = OrderedDict()
         self._lock = threading.Lock()
         self.place(self.own)
+
+    def base(self, now: Conditions) -> Tables:
+        """Returns the campaign with the season of some conditions. Raises Error
+        if there is none."""
+        if now.season >= len(self.opened.seasons):
+            raise Error(
+                f"there is no season {now.season}; choose one of the list"
+            )
+        return {**self.opened.base, **self.opened.seasons[now.season]}
+
+    def has_days(self) -> bool:
+        """Returns whether plants can be evaluated on clear days: soil that
+        dries, grain and prices need a season."""
+        try:
+            self.place(replace(self.own, when="day"))
+        except Error:
+            return False
+        return True
+
+    def growth(self, now: Conditions) -> Growth | None:
+        """Returns the plant that grows in the season of some conditions."""
+        if now.season not in self._growths and grows(self.opened.base):
+            self._growths[now.season] = Growth(self.base(now))
+        return self._growths.get(now.season)
 
     def place(self, now: Conditions) -> Place:
         """Returns the stand under given conditions. Raises InputError if the
@@ -163,7 +188,7 @@ class Bench:
         return Stand(self._tables(now, _CAREFUL))
 
     def _tables(self, now: Conditions, light: dict[str, int]) -> Tables:
-        tables = make_tables(self.opened.base, self.own, now)
+        tables = make_tables(self.base(now), self.own, now)
         return {**tables, "light": tables["light"] | light}
 
     def map(self, work: Callable[..., object], *many: Iterable[Any]) -> list:
@@ -181,6 +206,8 @@ def normalise_conditions(now: Conditions, original: Conditions) -> Conditions:
     same = replace(now, age=0)
     if now.when == "season":
         same = replace(same, day=original.day, latitude=original.latitude)
+    else:
+        same = replace(same, season=0)
     if now.when != "hour":
         same = replace(same, hour=0)
     if not now.panels:

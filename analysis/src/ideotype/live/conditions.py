@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The conditions under which plants stand in the live page: density, rows,
-place, time and panels."""
+place, time, panels and prices."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
+from ..decision.worth import PRICE_UNITS
 from ..errors import Error
 
 Tables = dict[str, Any]
@@ -29,6 +30,8 @@ class Conditions:
     """Latitude [deg], of clear days only; a season has that of its weather."""
     when: str
     """"season" of measured weather, clear "day", or "hour" of one."""
+    season: int
+    """Number of the season among those of the campaign, from 0."""
     day: int
     """Day of the year, from 1."""
     hour: int
@@ -43,10 +46,16 @@ class Conditions:
     """Width of modules across the row [m]."""
     panel_rows: int
     """Rows of plants from one row of modules to the next."""
+    price_grain: float
+    """Prices of [prices], in its units; 0 without that table."""
+    price_seed: float
+    price_water: float
+    price_electricity: float
+    price_other: float
 
     @classmethod
     def of(cls, base: Tables) -> Conditions:
-        """Returns the conditions of a campaign that one_case() has cut."""
+        """Returns the conditions of a campaign that cut_case() has cut."""
         spacing = base["spacing"][0]
         has_season = "climate" in base
         panel = base.get("panel", [{}])[0]
@@ -59,6 +68,7 @@ class Conditions:
             direction=float(spacing.get("row_direction", 90)),
             latitude=float(base["site"][0]["latitude"]),
             when="season" if has_season else "day",
+            season=0,
             day=start.timetuple().tm_yday,
             hour=12,
             age=0,
@@ -66,12 +76,21 @@ class Conditions:
             panel_height=float(panel.get("height", 3.0)),
             panel_width=float(panel.get("width", 2.0)),
             panel_rows=round(pitch / row) if "panel" in base else 8,
+            **{
+                _price_field(name): float(base.get("prices", {}).get(name, 0))
+                for name in PRICE_UNITS
+            },
         )
 
     @property
     def kind(self) -> tuple[str, bool]:
         """Returns the kind of conditions, which determines their quantities."""
         return self.when, self.panels
+
+    @property
+    def prices(self) -> dict[str, float]:
+        """Returns the prices by name."""
+        return {x: getattr(self, _price_field(x)) for x in PRICE_UNITS}
 
     def changed(self, numbers: dict[str, Any]) -> Conditions:
         """Returns the conditions with the numbers of a page. Raises Error if a
@@ -93,7 +112,13 @@ class Conditions:
         return replace(self, **changes)
 
 
+def _price_field(name: str) -> str:
+    return f"price_{name}"
+
+
 _RANGES: dict[str, tuple[float, float]] = {
+    **{_price_field(name): (0, 1e6) for name in PRICE_UNITS},
+    "season": (0, 9999),
     "density": (0.2, 200),
     "row": (0.05, 5),
     "direction": (0, 360),
@@ -121,6 +146,28 @@ def _date(base: Tables) -> datetime.date:
     return dates[0] if isinstance(dates, list) else dates
 
 
+def seasons_of(tables: Tables, names: Mapping[str, str]) -> list[Tables]:
+    """Returns the seasons over which a resolved campaign takes its objective at
+    the site of `names`, each as the tables that cut_case() keeps of it; the
+    one of `names` comes first. Other campaigns have one season."""
+    if "climate" not in tables:
+        return [{}]
+    own, over = names["climate"], tables["objective"].get("over", [])
+    is_over = "climate" in ([over] if isinstance(over, str) else over)
+    others = [
+        x["name"] for x in tables["climate"] if is_over and x["name"] != own
+    ]
+    return [
+        {
+            axis: cut[axis]
+            for cut in [cut_case(tables, {**names, "climate": name})]
+            for axis in ("climate", "weather")
+            if axis in cut
+        }
+        for name in (own, *others)
+    ]
+
+
 def cut_case(tables: Tables, names: Mapping[str, str]) -> Tables:
     """Returns a resolved campaign that varies no keys, with one entry of each
     axis, given by `names`."""
@@ -141,7 +188,10 @@ def cut_case(tables: Tables, names: Mapping[str, str]) -> Tables:
             for weather in cut["weather"]
             if all(weather[axis] == name for axis, name in kept.items())
         ]
-    cut["objective"].pop("over", None)
+    # One entry needs no rule over scenarios.
+    cut.pop("draw", None)
+    for key in ("over", "scenarios", "scenario_tail", "scenario_threshold"):
+        cut["objective"].pop(key, None)
     cut["replicates"] = 1
     return cut
 
@@ -159,6 +209,10 @@ def make_tables(base: Tables, original: Conditions, now: Conditions) -> Tables:
                 "row_direction": now.direction,
             }
         ]
+    if "prices" in base:
+        changed["prices"] = base["prices"] | now.prices
+        if not now.panels:
+            changed["prices"]["electricity"] = 0
     if now.when != "season":
         changed.pop("climate", None)
         changed.pop("weather", None)

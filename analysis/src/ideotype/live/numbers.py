@@ -41,6 +41,8 @@ KEYS = {
     "dry_matter": "Dry matter",
     "transpiration": "Transpiration",
     "water_use_efficiency": "Water use efficiency",
+    "margin": "Margin",
+    "grain_yield_moist": "Grain yield (15.5 % water)",
     "lai": "Leaf area index",
     "distance_from_lines": "Distance from measured lines",
 }

@@ -28,7 +28,7 @@ from ..stand.measured.plant_sources import (
     require_blades,
 )
 from ..stand.stand import Stand
-from .conditions import Conditions, Tables, cut_case
+from .conditions import Conditions, Tables, cut_case, seasons_of
 
 CROPS = ("maize", "sorghum", "soybean", "cowpea")
 """The crops that come with the package."""
@@ -43,6 +43,9 @@ class Opened:
     """A sentence about the origin of the plant."""
     base: Tables
     """A resolved campaign of one case."""
+    seasons: list[Tables]
+    """The tables [[climate]] and [[weather]] of each season of the case; the
+    first one is that of `base`."""
     genome: NDArray[np.float64]
     """The plant that the page shows first [genes]."""
     free: NDArray[np.bool_]
@@ -111,7 +114,9 @@ def _opened(
     genome: NDArray[np.float64],
     atlas: Atlas | None = None,
 ) -> Opened:
-    base = cut_case(tomllib.loads(stand.campaign), stand.entries)
+    tables = tomllib.loads(stand.campaign)
+    base = cut_case(tables, stand.entries)
+    seasons = seasons_of(tables, stand.entries)
     _add_profiles(base["plant"]["baseline"])
     searched = {gene for gene, is_free in zip(stand.genes["name"], stand.free)
               if is_free}  # fmt: skip
@@ -129,7 +134,7 @@ def _opened(
 
     free = np.array([name in searched for name in names])
     kinds = _make_map(atlas, complete) if atlas else None
-    return Opened(title, about, base, complete(genome), free, kinds)
+    return Opened(title, about, base, seasons, complete(genome), free, kinds)
 
 
 def _make_map(

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..common.arrays import real
+from ..decision.worth import PRICE_UNITS
 from ..errors import Error
 from .bench import Bench, Genome, Place, Shown, evaluate_coarse
 from .improve import EVALUATIONS, Improvement
@@ -48,6 +49,7 @@ class Session:
         bench = self._bench
         opened, place = bench.opened, bench.place(bench.own)
         levers = make_levers(place.stand, opened.base)
+        growth = bench.growth(bench.own)
         objectives = place.stand.objectives
         known = {each["name"] for each in place.layout.scalars}
         wanted = [
@@ -68,7 +70,14 @@ class Session:
                 "goals": [n for n in dict.fromkeys(wanted) if n in known],
                 "components": place.stand.components,
                 "map": opened.map,
-                "days": bench.growth.days if bench.growth else 0,
+                "days": growth.days if growth else 0,
+                "has_days": bench.has_days(),
+                "seasons": [
+                    season["climate"][0]["name"]
+                    for season in opened.seasons
+                    if season
+                ],
+                "prices": PRICE_UNITS if "prices" in opened.base else {},
                 "has_panel_table": "panel" in opened.base,
                 "evaluations": EVALUATIONS,
             }
@@ -289,14 +298,15 @@ class Session:
         bench, now = self._bench, shown.conditions
         # The shape of a plant depends on its place only by plasticity.
         stand = bench.place(now if bench.is_plastic else bench.own).stand
-        growth = bench.growth if now.when == "season" else None
+        growth = bench.growth(now) if now.when == "season" else None
 
         def draw(genome: Genome) -> dict[str, Any]:
             return make_plant(stand, genome, shown.component, growth, now.age)
 
         # The reference plant seldom changes.
         key = (
-            *(shown.reference.tobytes(), shown.component, now.when, now.age),
+            *(shown.reference.tobytes(), shown.component, now.when),
+            *(now.season, now.age),
             now.density if bench.is_plastic else 0,
         )
         if self._drawn[0] != key:

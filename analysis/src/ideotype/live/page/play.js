@@ -181,9 +181,11 @@ when("hello", (message) => {
     new Option(message.quantities.find((q) => q.name === name).label, name)));
   document.querySelector("[data-when=season]").hidden =
     message.conditions.when !== "season";
+  for (const name of ["day", "hour"])
+    document.querySelector(`[data-when=${name}]`).hidden = !message.has_days;
   byId("latitude-text").textContent =
-    `The weather of the season was measured at latitude ${message.conditions.latitude}°. `
-    + "Choose a clear day to change the latitude.";
+    `The weather of the season is that of latitude ${message.conditions.latitude}°.`
+    + (message.has_days ? " Choose a clear day to change the latitude." : "");
   buildSliders();
 });
 when("changed", () => {

@@ -133,7 +133,7 @@ function buildLeaves(single) {
 }
 
 function conditionSlider(name, label, unit, low, high, step, help, factor = 1) {
-  const digits = step < 1 ? 1 : 0;
+  const digits = Math.max(0, Math.ceil(-Math.log10(step)));
   return new Slider({
     name, label, unit, low, high, step, digits, help,
     start: () => page.hello.conditions[name] * factor,
@@ -153,8 +153,35 @@ function dateOf(day) {
   return `${date.getUTCDate()} ${MONTHS[date.getUTCMonth()]}`;
 }
 
+// Shows the value of a slider as a text.
+function showAs(slider, textOf) {
+  const plain = slider.refresh.bind(slider);
+  slider.refresh = () => {
+    plain();
+    const text = textOf(slider.get());
+    slider.output.textContent = text;
+    slider.input.setAttribute("aria-valuetext", text);
+  };
+}
+
+// A slider for each price of the campaign, from 0 to three times its value.
+function buildPrices() {
+  const { conditions, prices } = page.hello;
+  const members = Object.entries(prices)
+    .filter(([name]) => conditions[`price_${name}`] > 0)
+    .map(([name, unit]) => {
+      const usual = conditions[`price_${name}`];
+      const label = name === "other" ? "Other costs" : `${name[0].toUpperCase()}${name.slice(1)}`;
+      return conditionSlider(`price_${name}`, label, unit, 0, 3 * usual,
+        10 ** Math.floor(Math.log10(usual / 20)), "");
+    });
+  sliders.push(...members);
+  byId("prices").replaceChildren(...(members.length
+    ? [groupBox("Prices", "In the currency of the campaign; they change the margin.", members)] : []));
+}
+
 function buildField() {
-  const { conditions, days } = page.hello;
+  const { conditions, days, seasons } = page.hello;
   const few = conditions.density > 0.4;
   const box = (id, title, help, ...args) => {
     const slider = conditionSlider(...args);
@@ -176,16 +203,16 @@ function buildField() {
       "day", "Day", "", 1, 365, 1, ""),
     box("f-hour", "Hour", "Start of the hour, local time.",
       "hour", "Hour", ":00", 3, 21, 1, "")];
-  const daySlider = sliders.find((slider) => slider.input.id === "s-day");
-  const plain = daySlider.refresh.bind(daySlider);
-  daySlider.refresh = () => {
-    plain();
-    daySlider.output.textContent = dateOf(daySlider.get());
-    daySlider.input.setAttribute("aria-valuetext", dateOf(daySlider.get()));
-  };
+  showAs(sliders.find((slider) => slider.input.id === "s-day"), dateOf);
   const latitude = box("f-latitude", "Latitude", "Positive north of the equator.",
     "latitude", "Latitude", "°", -60, 66, 0.5, "");
-  byId("time").replaceChildren(
+  const years = [];
+  if (seasons.length > 1) {
+    years.push(box("f-season", "Season", "Weather of the seasons of the campaign.",
+      "season", "Season", "", 0, seasons.length - 1, 1, ""));
+    showAs(sliders.at(-1), (number) => seasons[number]);
+  }
+  byId("time").replaceChildren(...years,
     ...(days ? [box("f-age", "Days after emergence",
       "Days after emergence of the plant in the view; 0 shows it full-grown.",
       "age", "Days after emergence", "days", 0, days - 1, 1, "")] : []),
@@ -212,6 +239,8 @@ function refreshSliders() {
   hide("f-latitude", isSeason);
   hide("f-hour", conditions.when !== "hour");
   hide("f-age", !isSeason);
+  hide("f-season", !isSeason);
+  hide("prices", !isSeason);
   hide("latitude-text", !isSeason);
   byId("panels").checked = conditions.panels;
   byId("modules").hidden = !conditions.panels;
@@ -222,6 +251,7 @@ function refreshSliders() {
 function buildSliders() {
   sliders = [];
   buildField();
+  buildPrices();
   buildPlant(page.hello.levers);
   refreshSliders();
 }

@@ -185,8 +185,8 @@ Campaign resolve(const Spec& spec);
 Campaign with_keys(const Campaign& campaign, const std::vector<KeyFactor>& keys,
                    std::span<const double> numbers);
 
-//! Returns whether a draw changes plants or light, not only assimilation or
-//! grain.
+//! Returns whether a draw changes plants or light, not only assimilation, grain
+//! or prices.
 bool draws_change_light(const Spec& spec);
 
 //! Sets varied keys from the last numbers of a genome, removes these numbers

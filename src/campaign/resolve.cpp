@@ -237,8 +237,7 @@ bool draws_change_light(const Spec& spec) {
             const auto variable =
                 std::ranges::find(keys, key, &VariableKey::name);
             IDEOTYPE_EXPECT(variable != keys.end());
-            return variable->section != "photosynthesis" &&
-                   variable->section != "plant.baseline.grain";
+            return !variable->keeps_light;
         });
     });
 }

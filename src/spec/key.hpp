@@ -450,6 +450,8 @@ struct Table {
     const char* unless = "";     //!< table that makes this table optional
     //! Whether searches may vary all keys of the table.
     bool is_variable = false;
+    //! Whether no key of the table changes plants or their light.
+    bool keeps_light = false;
     //! Returns the name of a record's table. Null: all records use the same
     //! name.
     const std::string& (*entry_name)(const void* record) = nullptr;
@@ -474,6 +476,11 @@ struct Table {
     }
     //! Lets searches and studies vary all keys of the table.
     constexpr Table variable() const { return with(&Table::is_variable, true); }
+    //! Declares that no key of the table changes plants or their light, so that
+    //! campaigns that differ in them can share it.
+    constexpr Table keeping_light() const {
+        return with(&Table::keeps_light, true);
+    }
     template <class Parent, bool (*condition)(const Parent&)>
     constexpr Table written_if() const {
         return with(&Table::is_written, &holds<Parent, condition>);

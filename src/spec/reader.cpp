@@ -2,7 +2,6 @@
 #include "reader.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -23,16 +22,6 @@ namespace {
 //! Returns whether a file is a crop file: it describes leaves but no site.
 bool is_plant(const toml::table& top) {
     return top.contains("leaf") && !top.contains("site");
-}
-
-//! Returns a date some years later; 29 February becomes the 28th in years
-//! without it.
-Date in_year(Date date, int later) {
-    date.year += later;
-    using namespace std::chrono;
-    if (date.month == 2 && date.day == 29 && !year{date.year}.is_leap())
-        date.day = 28;
-    return date;
 }
 
 std::string month_and_day(const Date& date) {
@@ -307,7 +296,8 @@ class SpecReader {
                 const int later = year - climate.period.from.year;
                 for (Date* date : {&one.value.period.from, &one.value.period.to,
                                    &one.value.emergence})
-                    if (date->year > 0) *date = in_year(*date, later);
+                    if (date->year > 0)
+                        *date = in_year(*date, date->year + later);
             }
         }
         spec_.climates = std::move(all);

@@ -33,13 +33,6 @@ void clear_list(const Target& target) {
         (*points)->clear();
 }
 
-//! Moves a date by whole years. 29 February becomes 28 February.
-Date moved(Date date, int years) {
-    date.year += years;
-    if (years != 0 && date.month == 2 && date.day == 29) date.day = 28;
-    return date;
-}
-
 //! Reads a value into all tables of a key.
 void read_into(const VariableKey& variable, const KnownNames& known,
                const std::string& text, const Problems& problems) {
@@ -51,7 +44,6 @@ void read_into(const VariableKey& variable, const KnownNames& known,
                              {variable.key.key, target}, known, problems);
     };
     const auto* date = std::get_if<Date*>(&variable.key.value);
-    const int year = date ? (*date)->year : 0;
     read(variable.key.value, node);
     for (const Target& other : variable.others) {
         if (!date) {
@@ -59,7 +51,7 @@ void read_into(const VariableKey& variable, const KnownNames& known,
             continue;
         }
         Date& own = *std::get<Date*>(other);
-        own = moved(**date, own.year - year);
+        own = in_year(**date, own.year);
     }
 }
 
@@ -156,7 +148,8 @@ std::vector<VariableKey> variable_keys(Spec& spec) {
                                 {key, key.place(table.at(record, 0))},
                                 std::move(others),
                                 is_there,
-                                is_shared});
+                                is_shared,
+                                table.keeps_light});
             }
         }
     };
@@ -172,7 +165,7 @@ bool is_alike(const VariableKey& variable) {
     return std::ranges::all_of(variable.others, [&](const Target& other) {
         if (date) {
             const Date& own = *std::get<Date*>(other);
-            return own == moved(**date, own.year - (*date)->year);
+            return own == in_year(**date, own.year);
         }
         return toml_text({variable.key.key, other}) == first;
     });

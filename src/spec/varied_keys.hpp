@@ -21,6 +21,7 @@ struct VariableKey {
     //! Whether all tables of this kind are scenarios of one case. A varied key
     //! then has the same value in all of them; of a date, each keeps its year.
     bool is_shared;
+    bool keeps_light;  //!< Table::keeps_light
 
     std::size_t tables() const { return 1 + others.size(); }
 };

@@ -20,6 +20,12 @@ Site make_site_at(double latitude) {
 
 }  // namespace
 
+TEST(Date, LeapDaysAreKeptInLeapYears) {
+    EXPECT_EQ(in_year({2011, 5, 15}, 2012), (Date{2012, 5, 15}));
+    EXPECT_EQ(in_year({2012, 2, 29}, 2016), (Date{2016, 2, 29}));
+    EXPECT_EQ(in_year({2012, 2, 29}, 2013), (Date{2013, 2, 28}));
+}
+
 TEST(SunPosition, PositionAgreesWithTheTestCaseOfNrelSpa) {
     const Site golden{"Golden", 39.742476, -105.1786, -7.0, 1830.14};
     const SunPosition sun =

@@ -37,6 +37,14 @@ inline std::chrono::sys_days to_day(const Date& date) {
            std::chrono::day{static_cast<unsigned>(date.day)};
 }
 
+//! Returns a date in another year; 29 February becomes the 28th in years
+//! without it.
+inline Date in_year(const Date& date, int year) {
+    const bool is_there =
+        date.month != 2 || date.day != 29 || std::chrono::year{year}.is_leap();
+    return {year, date.month, is_there ? date.day : 28};
+}
+
 std::string to_string(const Date& date);  //!< such as 2025-08-07
 
 //! Parses a date such as 2025-08-07; returns nothing if there is no such date.

@@ -370,11 +370,12 @@ constexpr Table spec_tables[] = {
     table<&Spec::plant, &PlantSpec::crop, &CropSpec::photosynthesis>(
         "photosynthesis", photosynthesis_table)
         .variable()
+        .keeping_light()
         .written_if<Spec, assimilates>(),
     table<&Spec::water>("water", water_table).variable(),
     table<&Spec::soil>("soil", soil_table).variable(),
     table<&Spec::irrigation>("irrigation", irrigation_table).variable(),
-    table<&Spec::prices>("prices", prices_table).variable(),
+    table<&Spec::prices>("prices", prices_table).variable().keeping_light(),
     table<&Spec::constraints>("constraints", constraints_table),
     table<&Spec::feasibility>("feasibility", feasibility_table)
         .optional()

@@ -276,7 +276,7 @@ constexpr Table crop_parts[] = {
         .written_if<CropSpec, has_petioles>(),
     table<&CropSpec::baseline, &Plant::blade>("blade", blade_table).variable(),
     table<&CropSpec::growth>("growth", growth_table).variable(),
-    table<&CropSpec::grain>("grain", grain_table).variable(),
+    table<&CropSpec::grain>("grain", grain_table).variable().keeping_light(),
     table<&CropSpec::baseline, &Plant::leaves>("leaf", leaf_table)
         .variable()
         .at_most(most_leaves),

@@ -84,6 +84,7 @@ values = [60]
 OVER_DRAWS = (
     'objective={maximise="net_assimilation", over=["draw"]}',
     'photosynthesis={model="hyperbola", amax=50}',
+    'search.keys=[{key="field.row_pattern", values=[[], [1, 3]]}]',
     'search.optimizer="ga"',
     "search.population=4",
     "stop.generations=2",
@@ -122,6 +123,8 @@ def test_plants_are_decided_between_by_an_objective_over_draws(
     stored = row.quantities["net_assimilation_by_scenario"].values
     assert np.array_equal(options.worths(), stored)
     assert isinstance(decision, Decision)
+    patterns = {x for keys in decision.keys for x in keys.values()}
+    assert patterns <= {"[]", "[1, 3]"}
     # More capacity, more assimilation.
     worth = decision.worth_draws().mean(-1)
     assert np.all(worth[:, 1] > worth[:, 0])

@@ -55,8 +55,8 @@ class Decision:
     roles: tuple[str, ...]
     """Why each candidate was chosen."""
     genomes: tuple[Floats, ...]
-    keys: tuple[Mapping[str, float], ...]
-    """The searched keys of each candidate."""
+    keys: tuple[Mapping[str, str], ...]
+    """The values of the searched keys of each candidate, as texts."""
     environments: tuple[str, ...]
     weights: Floats
     worth: Worth

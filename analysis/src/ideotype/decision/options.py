@@ -50,18 +50,16 @@ class Options:
         """Returns the values over environments [plants]."""
         return self.rule.value(self.worths(prices), self.weights)
 
-    def keys(self, index: int) -> dict[str, float]:
-        """Returns the searched keys of the campaign of a plant."""
-        return keys_of(self.histories[index], self.genomes[index])
-
-
-def keys_of(history: History, genome: Floats) -> dict[str, float]:
-    """Returns the values of the searched keys at the end of a genome."""
-    keys = history.resolved.get("search", {}).get("keys", [])
-    if not keys:
-        return {}
-    values = genome[len(genome) - len(keys) :]
-    return {x["key"]: float(v) for x, v in zip(keys, values)}
+    def keys(self, index: int) -> dict[str, str]:
+        """Returns the values of the searched keys of the campaign for a plant,
+        as texts: numbers, dates or choices."""
+        history, genome = self.histories[index], self.genomes[index]
+        keys = history.resolved.get("search", {}).get("keys", [])
+        first = len(genome) - len(keys)  # they end the genome
+        return {
+            each["key"]: history.genes.text(gene, genome[gene])
+            for gene, each in enumerate(keys, first)
+        }
 
 
 def find_worth(case: Case) -> Worth | None:

@@ -108,7 +108,7 @@ def _worth_name(decision: Decision) -> str:
 
 def _describe(decision: Decision, candidate: int) -> str:
     keys = ", ".join(
-        f"{key} {value:.4g}" for key, value in decision.keys[candidate].items()
+        f"{key} {value}" for key, value in decision.keys[candidate].items()
     )
     name = decision.names[candidate]
     return f"{name} with {keys}" if keys else name
@@ -157,24 +157,28 @@ def describe_switches(decision: Decision) -> list[str]:
         return []
     sentences = []
     for switch in decision.switches:
-        if math.isfinite(switch.at_standard_error):
-            at = Estimate(switch.at, switch.at_standard_error, "")
-            text = at.interval_text()
-        else:
-            text = f"{switch.at:.4g}"
-        unit = PRICE_UNITS[switch.price]
-        sentence = (
-            f"From a price of {switch.price} of {text} {unit} on: "
-            f"{_describe(decision, switch.above)} instead of "
-            f"{_describe(decision, switch.below)}"
-        )
-        sentence += (
-            f" ({_text(switch.difference)} at 10 % more, in other "
-            "randomisations)"
+        below, above = (
+            _describe(decision, c) for c in (switch.below, switch.above)
         )
         if not is_significant(switch.difference):
-            sentence += "; that difference is not significant"
-        sentences.append(sentence + ".")
+            sentences.append(
+                f"At a price of {switch.price} near {switch.at:.2g}, the best "
+                f"option changes from {below} to {above}, without a "
+                f"significant difference ({_text(switch.difference)} at 10 % "
+                "more, in other randomisations)."
+            )
+            continue
+        at = f"{switch.at:.2g}"
+        if math.isfinite(switch.at_standard_error):
+            at = Estimate(
+                switch.at, switch.at_standard_error, ""
+            ).interval_text()
+        sentences.append(
+            f"From a price of {switch.price} of {at} "
+            f"{PRICE_UNITS[switch.price]} on: {above} instead of {below} "
+            f"({_text(switch.difference)} at 10 % more, in other "
+            "randomisations)."
+        )
     changing = {switch.price for switch in decision.switches}
     same = [
         price
@@ -205,7 +209,7 @@ def _tabulate_candidates(decision: Decision) -> Table:
             [
                 decision.names[c],
                 decision.roles[c],
-                *(f"{x:.4g}" for x in decision.keys[c].values()),
+                *decision.keys[c].values(),
                 _text(decision.value(c)),
                 _text(decision.advantage(c, decision.best)),
                 *(f"{parts[i]:.4g}" for i, _ in shown),

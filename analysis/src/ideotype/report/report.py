@@ -102,7 +102,8 @@ def write_report(
 
     The page names `command` as its origin, and contains `cross`, a
     cross-evaluation of plants and cases. `tell` gets the number of drawn
-    figures, the number of all figures, and the kind of work. With `has_pdf`
+    figures, the number of all figures, and the kind of work, or the same of
+    options that are re-evaluated for a decision. With `has_pdf`
     each figure is written as PDF in addition to SVG. `jobs` is the number of
     processes that draw figures; with several, a script needs
     `if __name__ == "__main__":`. Cases with one of the words `figures_of` in
@@ -153,7 +154,16 @@ def write_report(
             else {}
         )
         decision = make_decision_section(
-            [decide_case(case) for case in cases] if has_decision else []
+            [
+                decide_case(
+                    case,
+                    lambda done, count, name=case.name: tell(
+                        done, count, f"options of {name}"
+                    ),
+                )
+                for case in cases
+                if has_decision
+            ]
         )
         files = [Path(path) for path in plants]
         built = list(run(partial(make_plants, plant_files=files), cases))

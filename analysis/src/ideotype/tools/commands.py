@@ -213,7 +213,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     cross = read_cross(options.cross) if options.cross else None
     estimates = read_priors(options.estimates) if options.estimates else []
-    with Progress("figures drawn") as progress:
+    with Progress("done") as progress:
         written = write_report(
             study,
             options.output,

@@ -38,14 +38,19 @@ _QUANTITIES = {
 
 def decide_case(
     case: Case,
-    tell: Callable[[int, int], object] = lambda done, count: None,
+    tell: Callable[[int, int, str], object] = lambda done, count, part: None,
 ) -> Decision | Note | None:
     """Returns the decision of a case, the reason why there is none, or None if
     there is nothing to decide or the search has not ended."""
     if not case.pairs or not case.is_final or find_worth(case) is None:
         return None
     try:
-        return decide(read_options(case), tell=tell)
+        return decide(
+            read_options(case),
+            tell=lambda done, count: tell(
+                done, count, f"options of {case.name}"
+            ),
+        )
     except Error as reason:
         return Note(f"No decision for {case.name}: {reason}.")
 

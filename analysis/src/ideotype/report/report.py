@@ -154,16 +154,7 @@ def write_report(
             else {}
         )
         decision = make_decision_section(
-            [
-                decide_case(
-                    case,
-                    lambda done, count, name=case.name: tell(
-                        done, count, f"options of {name}"
-                    ),
-                )
-                for case in cases
-                if has_decision
-            ]
+            [decide_case(case, tell) for case in cases if has_decision]
         )
         files = [Path(path) for path in plants]
         built = list(run(partial(make_plants, plant_files=files), cases))

@@ -7,6 +7,9 @@
 
 namespace ideotype {
 
+//! The initial standard deviation of a search, relative to the range of a gene.
+inline constexpr double first_step = 0.2;
+
 //! Coordinates without bounds for the free genes that have a range, in units of
 //! the range. A circular gene is unwrapped: whole turns do not change its
 //! value. A real gene equals its coordinate, except in the 5 % of the range

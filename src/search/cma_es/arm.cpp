@@ -11,30 +11,13 @@
 #include "ideotype/core/mapped.hpp"
 #include "ideotype/core/random.hpp"
 #include "search/order.hpp"
+#include "search/points.hpp"
 
 namespace ideotype {
 
 namespace {
 
 using Eigen::VectorXd;
-
-//! The initial standard deviation, relative to the range of a gene.
-constexpr double first_step = 0.2;
-
-VectorXd to_vector(const std::vector<double>& x) {
-    return Eigen::Map<const VectorXd>(x.data(),
-                                      static_cast<Eigen::Index>(x.size()));
-}
-
-VectorXd draw_normal(RandomStream& stream, std::size_t size) {
-    VectorXd x(static_cast<Eigen::Index>(size));
-    for (Eigen::Index i = 0; i < x.size(); i += 2) {
-        const auto [first, second] = stream.normal();
-        x[i] = first;
-        if (i + 1 < x.size()) x[i + 1] = second;
-    }
-    return x;
-}
 
 //! Returns the mean of objective 0 over the better half of some rows, or the
 //! worst possible value if no row succeeded and meets all constraints.
@@ -60,15 +43,18 @@ double average_better_half(const Population& rows,
 
 Arm::Arm(const UnboundedGenes& coordinates, const Genome& start,
          std::size_t population)
+    : Arm(coordinates, to_vector(coordinates.to_coordinates(start)),
+          first_step * to_vector(coordinates.first_steps()), population) {}
+
+Arm::Arm(const UnboundedGenes& coordinates, const VectorXd& mean,
+         const VectorXd& deviations, std::size_t population)
     : population_(population), coordinates_(coordinates) {
     const GeneSpace& genes = coordinates.genes();
     std::size_t discrete = coordinates.choices().size();
     for (const std::size_t gene : coordinates.free())
         if (genes[gene].is_discrete()) ++discrete;
     if (!coordinates.free().empty())
-        numbers_.emplace(to_vector(coordinates.to_coordinates(start)),
-                         first_step * to_vector(coordinates.first_steps()),
-                         population);
+        numbers_.emplace(mean, deviations, population);
     for (std::size_t i = 0; i < coordinates.free().size(); ++i) {
         const Gene& gene = genes[coordinates.free()[i]];
         if (gene.is_discrete())

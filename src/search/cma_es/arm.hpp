@@ -19,8 +19,13 @@ namespace ideotype {
 //! feasible plants come first.
 class Arm {
   public:
+    //! Starts at a plant, with the usual deviations.
     Arm(const UnboundedGenes& coordinates, const Genome& start,
         std::size_t population);
+
+    //! Starts with a mean and standard deviations > 0, in coordinates.
+    Arm(const UnboundedGenes& coordinates, const Eigen::VectorXd& mean,
+        const Eigen::VectorXd& deviations, std::size_t population);
 
     std::size_t population() const { return population_; }
     //! Returns the mean of objective 0 over the better half, for each

@@ -46,6 +46,7 @@ SearchSpace search_space(const Campaign& campaign, const Case& chosen) {
         space.baseline.push_back(each.number);
     for (const ObjectiveEntry& objective : objectives_of(campaign))
         space.senses.push_back(objective.sense);
+    space.is_constrained = has_constraints(campaign.spec.constraints);
     return space;
 }
 

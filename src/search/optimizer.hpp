@@ -16,6 +16,7 @@ struct SearchSpace {
     GeneSpace genes;
     Genome baseline;  //!< starting point of the search
     std::vector<Sense> senses{Sense::maximise};  //!< senses of the objectives
+    bool is_constrained = false;  //!< whether plants may violate constraints
 };
 
 //! Proposes candidates row by row. A candidate depends only on the settings,

@@ -81,15 +81,9 @@ struct SearchSettings {
     std::vector<double> reference{};
 };
 
-//! The number of rows in the first generation of `auto`, in populations.
+//! The number of rows in the design with which a race of `auto` begins, in
+//! populations.
 inline constexpr int auto_design = 3;
-
-//! Returns the number of candidates in the first generation of a search.
-inline int first_generation(const SearchSettings& settings) {
-    const bool is_auto =
-        settings.optimizer == OptimizerKind::automatic && !settings.design;
-    return (is_auto ? auto_design : 1) * settings.population;
-}
 
 //! Returns the default number of plants per generation of an optimizer.
 int usual_population(OptimizerKind optimizer, std::size_t free_genes);

@@ -69,6 +69,15 @@ bool constrains(const TraitConstraint& limit) {
            limit.range.upper < none.range.upper;
 }
 
+bool has_constraints(const Constraints& constraints) {
+    const Range any = Constraints{}.lai;
+    return constraints.lai.lower > any.lower ||
+           constraints.lai.upper < any.upper ||
+           std::ranges::any_of(
+               constraints.traits,
+               [](const TraitConstraint& limit) { return constrains(limit); });
+}
+
 ByBand<bool> followed_bands(const Spec& spec) {
     ByBand<bool> follows{true};
     for (std::size_t b = 1; b < wavebands.size(); ++b)

@@ -379,6 +379,9 @@ struct Constraints {
     std::vector<TraitConstraint> traits;
 };
 
+//! Returns whether any constraint restricts anything.
+bool has_constraints(const Constraints& constraints);
+
 //! Measured lines, and the largest allowed distance of plants from them.
 struct Feasibility {
     MeasuredLines lines;  //!< measured lines; none if no traits are given

@@ -373,16 +373,15 @@ TEST(BrokenCampaign, RemediesAreValid) {
     expect(problem_of(sample_text("",
                                   "[search]\noptimizer = \"auto\"\n"
                                   "[stop]\ngenerations = 2\n")),
-           "stop.generations is 2 (the first generation of auto has three "
-           "times search.population plants, so that nothing would be "
-           "evaluated); use 3 or more");
+           "stop.generations is 2 (a race of auto begins with 3 times "
+           "search.population plants); use 3 or more");
     // A message to a user who has not chosen an optimizer must not mention
     // `auto`.
     expect(problem_of(sample_text("", "[stop]\ngenerations = 2\n")),
            "stop.generations is 2 (the optimizer is \"auto\", since "
-           "search.optimizer is not given; the first generation of auto has "
-           "three times search.population plants, so that nothing would be "
-           "evaluated); use 3 or more, or set search.optimizer = \"ga\"");
+           "search.optimizer is not given; a race of auto begins with 3 times "
+           "search.population plants); use 3 or more, or set "
+           "search.optimizer = \"ga\"");
     expect(problem_of(sample_text("", "[search]\npopulation = 6\n")),
            "search.population is 6 (the optimizer is \"auto\", since "
            "search.optimizer is not given; CMA-ES ranks at least 8 plants); "

@@ -85,9 +85,12 @@ says "^leaves    hyperbola, amax 63.9294, rate_2000 52 (maize.toml), 30 deg C on
 hybrid=(--set plant.baseline=crops/maize_hybrid.toml --set plant.bounds=traits --set plant.stage=1.75)
 expect 0 "$ideotype" check campaigns/commands.toml "${hybrid[@]}"
 says "on all days, with leaves as at development stage 1.75 (0.7 of the capacity at silking)$"
-# The first generation of `auto` is larger than the others, and the log counts
-# the same plants as `check`.
+# The first generation of `auto` is smaller than the others or, with constraints,
+# larger. The log counts the same plants as `check`.
 auto=(--set search.optimizer=auto --set search.population=8 --set stop.generations=5)
+expect 0 "$ideotype" check campaigns/commands.toml "${auto[@]}"
+says "^search    auto, generations of 8 plants (the first of 5), at most 40 plants$"
+auto+=(--set "constraints.lai=[0, 100]")
 expect 0 "$ideotype" check campaigns/commands.toml "${auto[@]}"
 says "^search    auto, generations of 8 plants (the first of 24), at most 40 plants$"
 says "^cost      40 evaluations of "

@@ -89,12 +89,14 @@ class EvolveCase : public ::testing::Test {
 
     //! Expects that stopped and resumed searches make the same history as
     //! uninterrupted ones.
-    void expect_same_after_stops() {
+    //! @param stops evaluations after which searches stop
+    void expect_same_after_stops(const std::vector<int>& stops = {1, 7, 10,
+                                                                  31}) {
         const HistoryHeader h = header();
         History whole = History::create(path("whole.h5"), h);
         SumEvaluator evaluator(h.schema, stop);
         evolve(whole, evaluator);
-        for (const int stop_at : {1, 7, 10, 31}) {
+        for (const int stop_at : stops) {
             const std::string name = path("cut" + std::to_string(stop_at));
             {
                 History cut = History::create(name, h);
@@ -262,6 +264,13 @@ TEST_F(EvolveCase, StopAndResumeGiveTheSameByAutoWithStreams) {
     expect_same_after_stops();
 }
 
+// The surfaces of auto take ten generations of 7 or 8 plants.
+TEST_F(EvolveCase, StopAndResumeGiveTheSameAcrossTheHandOverOfAuto) {
+    campaign.search.optimizer = OptimizerKind::automatic;
+    campaign.stop.generations = 12;
+    expect_same_after_stops({1, 40, 78, 79, 80, 95});
+}
+
 TEST_F(EvolveCase, StopAndResumeGiveTheSameByAtlas) {
     campaign = read_campaign(
         std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
@@ -320,6 +329,8 @@ TEST_F(EvolveCase, AStopBeforeTheEndOfStreamsLeavesTheCaseUnfinished) {
 
 TEST_F(EvolveCase, ASearchEndsWhenItsHistoryIsFull) {
     campaign.search.optimizer = OptimizerKind::automatic;
+    // With constraints auto begins with a large generation.
+    campaign.spec.constraints.lai.upper = 100;
     const HistoryHeader h = header();
     History history = History::create(path("room.h5"), h);
     SumEvaluator evaluator(h.schema, stop);

@@ -235,9 +235,13 @@ std::vector<std::size_t> list_sizes(GenerationalOptimizer& search,
     return sizes;
 }
 
+//! Returns a space without response surfaces, which begins with a race.
+SearchSpace make_constrained_space() {
+    return {genes(4), Genome(4, 2), {Sense::minimise}, true};
+}
+
 TEST(AutoSearch, CyclesRaceGrowAndRestartWithMorePlants) {
-    const auto search = make_auto_search(
-        small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+    const auto search = make_auto_search(small(), make_constrained_space(), 2);
     RandomStream noise(5, Purpose::jitter);
     EXPECT_EQ(list_sizes(*search, 190,
                          [&](const Genome&) { return noise.uniform(); }),
@@ -251,7 +255,8 @@ TEST(AutoSearch, FirstGenerationIsADesignAroundTheBaseline) {
     const Genome baseline{1, 2, 3, -4};
     SearchSettings settings = small();
     settings.population = 24;
-    const auto search = make_auto_search(settings, {space, baseline}, 4);
+    const auto search = make_auto_search(
+        settings, {space, baseline, {Sense::maximise}, true}, 4);
     const auto candidates = search->ask();
     ASSERT_EQ(candidates.size(), 72U);
     EXPECT_EQ(candidates[0].genome, baseline);
@@ -272,8 +277,7 @@ TEST(AutoSearch, FirstGenerationIsADesignAroundTheBaseline) {
 }
 
 TEST(AutoSearch, BestIncludesTheEndsOfEarlierCycles) {
-    const auto search = make_auto_search(
-        small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+    const auto search = make_auto_search(small(), make_constrained_space(), 2);
     RandomStream noise(5, Purpose::jitter);
     Genome champion;
     for (int g = 0; g < 190; ++g) {
@@ -285,6 +289,132 @@ TEST(AutoSearch, BestIncludesTheEndsOfEarlierCycles) {
     const auto best = search->best(4);
     ASSERT_EQ(best.size(), 4U);
     EXPECT_TRUE(best[0].genome == champion || best[1].genome == champion);
+}
+
+TEST(AutoSearch, SurfacesHandOverToAGrowingSearchAndLaterARace) {
+    const auto search = make_auto_search(
+        small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+    RandomStream noise(5, Purpose::jitter);
+    EXPECT_EQ(list_sizes(*search, 160,
+                         [&](const Genome&) { return noise.uniform(); }),
+              (std::vector<std::size_t>{5, 6, 8, 16, 32, 36, 12, 6}));
+}
+
+TEST(AutoSearch, SearchContinuesFromTheCentreAndTheRegionOfSurfaces) {
+    const Genome baseline{1, 2, 3, -2.5};
+    SearchSettings settings = small();
+    settings.population = 3000;
+    const auto search =
+        make_auto_search(settings, {genes(4), baseline, {Sense::minimise}}, 2);
+    EXPECT_EQ(search->ask()[0].genome, baseline);
+    // The region shrinks in each generation but the first, since a flat
+    // objective fulfils no prediction.
+    for (int g = 0; g < 10; ++g)
+        search->tell(evaluate(search->ask(), [](const Genome&) { return 1; }));
+    const Genome centre = search->best(1).front().genome;
+    const auto candidates = search->ask();
+    ASSERT_EQ(candidates.size(), 3000U);
+    const double deviation = 2 * std::pow(0.85, 9);
+    for (std::size_t i = 0; i < baseline.size(); ++i) {
+        EXPECT_NEAR(centre[i], baseline[i], 1e-12);
+        double sum = 0, squares = 0;
+        for (const Candidate& candidate : candidates) {
+            sum += candidate.genome[i] - baseline[i];
+            squares += std::pow(candidate.genome[i] - baseline[i], 2);
+        }
+        EXPECT_NEAR(sum / 3000, 0, 4 * deviation / std::sqrt(3000));
+        EXPECT_NEAR(std::sqrt(squares / 3000), deviation, 0.05 * deviation);
+    }
+}
+
+TEST(AutoSearch, RaceIsFirstWithObjectivesConstraintsOrWholeNumbers) {
+    const SearchSpace reals{genes(4), Genome(4, 2), {Sense::minimise}};
+    SearchSpace front = reals, constrained = reals, integers = reals,
+                choices = reals, bound = reals;
+    front.senses.push_back(Sense::maximise);
+    constrained.is_constrained = true;
+    integers.genes[1].kind = GeneKind::integer;
+    choices.genes[2].kind = GeneKind::choice;
+    // A gene that is not free does not matter.
+    bound.genes[1].kind = GeneKind::integer;
+    bound.genes[1].is_free = false;
+    const auto first_size = [](const SearchSpace& space) {
+        return make_auto_search(small(), space, 2)->next_size();
+    };
+    EXPECT_EQ(first_size(reals), 5U);
+    EXPECT_EQ(first_size(bound), 5U);
+    for (const SearchSpace& space : {front, constrained, integers, choices})
+        EXPECT_EQ(first_size(space), 24U);
+}
+
+TEST(AutoSearch, AViolationEndsTheSurfaces) {
+    const auto search = make_auto_search(
+        small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+    for (int g = 0; g < 3; ++g) search->tell(evaluate(search->ask(), sphere));
+    Population rows = evaluate(search->ask(), sphere);
+    rows[2].violation = 0.1;
+    search->tell(rows);
+    EXPECT_EQ(search->next_size(), 24U);
+    EXPECT_EQ(search->ask()[0].genome, Genome(4, 2));
+}
+
+TEST(AutoSearch, SearchIsAPureFunctionOfRowsAcrossTheHandOver) {
+    const SearchSpace space{genes(5), Genome(5, 1), {Sense::minimise}};
+    const auto whole = make_auto_search(small(), space, 3);
+    std::vector<Population> generations;
+    for (int g = 0; g < 14; ++g) {
+        // Another search that learns the stored rows proposes the same.
+        const auto resumed = make_auto_search(small(), space, 3);
+        for (const Population& rows : generations) resumed->tell(rows);
+        EXPECT_EQ(whole->ask(), resumed->ask());
+        if (g > 0) {
+            EXPECT_EQ(whole->best(3), resumed->best(3));
+        }
+        generations.push_back(evaluate(whole->ask(), rosenbrock));
+        whole->tell(generations.back());
+    }
+    EXPECT_EQ(generations.back().size(), 8U) << "the search has handed over";
+}
+
+TEST(AutoSearch, SearchSurvivesFailedGenerationsOfSurfaces) {
+    const auto search = make_auto_search(
+        small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+    for (int g = 0; g < 30; ++g) {
+        Population rows = evaluate(search->ask(), sphere);
+        if (g % 3 == 0)
+            for (Individual& row : rows) row.status = Status::failed;
+        search->tell(rows);
+        for (const Candidate& candidate : search->ask())
+            for (const double x : candidate.genome)
+                EXPECT_TRUE(std::isfinite(x));
+    }
+    EXPECT_LT(sphere(search->best(1).front().genome), 1);
+}
+
+// The standard deviation of the noise is 3 % of the first value.
+TEST(AutoSearch, SurfacesAreQuickerThanCmaEsUnderNoise) {
+    const auto search_for = [](OptimizerKind kind, std::uint64_t seed) {
+        SearchSettings settings;
+        settings.optimizer = kind;
+        settings.population = usual_population(OptimizerKind::automatic, 40);
+        const SearchSpace space{genes(40), Genome(40, 3), {Sense::minimise}};
+        const auto search = kind == OptimizerKind::automatic
+                                ? make_auto_search(settings, space, seed)
+                                : make_cma_es(settings, space, seed);
+        RandomStream noise(seed, Purpose::jitter);
+        for (std::size_t rows = 0; rows < 300;) {
+            const Population evaluated =
+                evaluate(search->ask(), [&](const Genome& x) {
+                    return sphere(x) + 10 * noise.normal()[0];
+                });
+            rows += evaluated.size();
+            search->tell(evaluated);
+        }
+        return sphere(search->best(1).front().genome);
+    };
+    for (const std::uint64_t seed : {1, 2, 3})
+        EXPECT_LT(search_for(OptimizerKind::automatic, seed),
+                  search_for(OptimizerKind::cma_es, seed) / 2);
 }
 
 //! An optimizer that learns only the rows it needs proposes the same

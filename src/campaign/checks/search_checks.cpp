@@ -210,10 +210,9 @@ void check_cma_es(const Spec& spec, const Problems& problems) {
     // The rows of a history are limited by generations times plants.
     const int generations = spec.stop.generations;
     problems.rule({"stop.generations"}, is_auto && generations < auto_design,
-                  "stop.generations is {} ({}the first generation of auto has "
-                  "three times search.population plants, so that nothing would "
-                  "be evaluated); use {} or more{}",
-                  generations, who, auto_design, other);
+                  "stop.generations is {} ({}a race of auto begins with {} "
+                  "times search.population plants); use {} or more{}",
+                  generations, who, auto_design, auto_design, other);
 }
 
 }  // namespace

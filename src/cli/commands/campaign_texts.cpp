@@ -12,6 +12,7 @@
 
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/clock.hpp"
+#include "run/evolve_case.hpp"
 #include "run/progress.hpp"
 
 namespace ideotype {
@@ -94,6 +95,14 @@ std::string static_age_text(const Campaign& campaign) {
             capacity != 1)
             text += fmt::format(" ({:g} of the capacity at silking)", capacity);
     return text;
+}
+
+//! Returns the number of plants in the first generation.
+std::size_t first_generation(const Campaign& campaign) {
+    const Case first = cases(campaign).front();
+    return make_optimizer(campaign.search, search_space(campaign, first),
+                          first.seed)
+        ->size(0);
 }
 
 }  // namespace
@@ -243,12 +252,13 @@ std::string growth_text(const Campaign& campaign, const Case& chosen) {
 
 std::string search_text(const Campaign& campaign) {
     const SearchSettings& search = campaign.search;
-    const int first = first_generation(search);
+    const std::size_t first = first_generation(campaign);
     return fmt::format(
         "search    {}, generations of {} plants{}{}, at most {} plants\n",
         name_of(search.optimizer), search.population,
-        first == search.population ? ""
-                                   : fmt::format(" (the first of {})", first),
+        first == static_cast<std::size_t>(search.population)
+            ? ""
+            : fmt::format(" (the first of {})", first),
         search.streams == 1 ? ""
                             : fmt::format(" of {} streams", search.streams),
         static_cast<long long>(search.population) * campaign.stop.generations);
@@ -258,7 +268,7 @@ Json search_of(const Campaign& campaign) {
     const SearchSettings& search = campaign.search;
     return {{"optimizer", name_of(search.optimizer)},
             {"population", search.population},
-            {"first_generation", first_generation(search)},
+            {"first_generation", first_generation(campaign)},
             {"streams", search.streams},
             {"most_plants", static_cast<long long>(search.population) *
                                 campaign.stop.generations}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -9,10 +10,23 @@
 #include "ideotype/core/random.hpp"
 #include "search/optimizer.hpp"
 #include "search/order.hpp"
+#include "search/quadratic/surface_arm.hpp"
 
 namespace ideotype {
 
 namespace {
+
+//! Returns whether response surfaces suit a space: they describe one objective
+//! of real genes, without constraints.
+bool suits_surfaces(const SearchSpace& space,
+                    const UnboundedGenes& coordinates) {
+    const auto is_discrete = [&](std::size_t gene) {
+        return space.genes[gene].is_discrete();
+    };
+    return space.senses.size() == 1 && !space.is_constrained &&
+           !coordinates.free().empty() && coordinates.choices().empty() &&
+           std::ranges::none_of(coordinates.free(), is_discrete);
+}
 
 //! Repeats cycles of searches by dd-CMA-ES. A cycle begins with a design of
 //! three parts: the champion, which is the baseline at first; mixtures, which
@@ -20,9 +34,13 @@ namespace {
 //! uniform within the bounds. One arm starts from the best mixture, another
 //! from the best uniform plant. They race for some generations, each with half
 //! of the plants; then the arm with the better results continues alone. When it
-//! no longer gains, its number of plants is doubled, up to eight times the
-//! initial number, since noise may hide gains. The next cycle uses 1.5 times as
-//! many plants; its champion is the plant at which this cycle ends.
+//! no longer gains, its number of plants is doubled, up to four populations,
+//! since noise may hide gains. The next cycle uses 1.5 times as many plants;
+//! its champion is the plant at which this cycle ends.
+//!
+//! If response surfaces suit the space, the first cycle has no race. It begins
+//! with some generations of a SurfaceArm at the champion, and an arm of
+//! dd-CMA-ES, with all plants, continues from its centre with its deviations.
 class AutoSearch : public GenerationalOptimizer {
   public:
     AutoSearch(const SearchSettings& settings, SearchSpace space,
@@ -33,9 +51,12 @@ class AutoSearch : public GenerationalOptimizer {
           seed_(seed),
           population_(static_cast<std::size_t>(settings.population)),
           champion_(settings.start.empty() ? space_.baseline : settings.start) {
+        if (suits_surfaces(space_, coordinates_))
+            surface_.emplace(coordinates_, champion_, population_ / 3);
     }
 
     std::size_t next_size() const override {
+        if (surface_) return surface_->size();
         if (arms_.empty()) return design_size();
         std::size_t size = 0;
         for (const Arm& arm : arms_) size += arm.population();
@@ -44,6 +65,11 @@ class AutoSearch : public GenerationalOptimizer {
 
     Candidate candidate(std::uint32_t slot) override {
         IDEOTYPE_EXPECT(slot < next_size());
+        if (generation() == 0 && slot == 0)
+            return {champion_, Origin::baseline};
+        if (surface_)
+            return surface_->candidate(seed_, generation(), slot,
+                                       space_.baseline);
         if (arms_.empty()) return propose_design(slot);
         // Find the arm of the slot.
         std::uint32_t first = 0;
@@ -55,8 +81,8 @@ class AutoSearch : public GenerationalOptimizer {
     }
 
     //! Returns the mean plants of the running arms and of earlier cycles,
-    //! better results first, followed by the best plants of the last
-    //! generation.
+    //! better results first, or the centre of the surfaces, followed by the
+    //! best plants of the last generation.
     std::vector<Candidate> best(std::size_t count) const override {
         std::vector<Champion> means = champions_;
         for (const Arm& arm : arms_)
@@ -67,6 +93,10 @@ class AutoSearch : public GenerationalOptimizer {
                                               space_.senses.front());
                          });
         std::vector<Candidate> candidates;
+        if (surface_)
+            candidates.push_back(surface_->centre(space_.baseline));
+        else if (means.empty() && arms_.size() == 1)
+            candidates.push_back(arms_.front().centre(space_.baseline));
         for (Champion& champion : means)
             candidates.push_back({std::move(champion.genome), Origin::sample});
         for (const Candidate& candidate :
@@ -91,7 +121,7 @@ class AutoSearch : public GenerationalOptimizer {
     //! `tiny` the values no longer change; below `narrow` an arm that gains
     //! nothing has converged.
     static constexpr double tiny = 1e-11, narrow = 1e-6;
-    //! Largest factor by which the population of an arm may grow.
+    //! Largest population of an arm, in halves of the population.
     static constexpr std::size_t most_growth = 8;
 
     //! Returns the number of rows of the design. The champion and the
@@ -100,9 +130,7 @@ class AutoSearch : public GenerationalOptimizer {
     std::size_t last_mixture() const { return design_size() / 2; }
 
     Candidate propose_design(std::uint32_t slot) const {
-        if (slot == 0)
-            return {champion_,
-                    generation() == 0 ? Origin::baseline : Origin::elite};
+        if (slot == 0) return {champion_, Origin::elite};
         Genome genome = random_genome(space_, seed_, generation(), slot);
         if (slot < last_mixture()) mix(genome, slot);
         return {std::move(genome), Origin::random};
@@ -122,11 +150,26 @@ class AutoSearch : public GenerationalOptimizer {
     }
 
     void take(Population evaluated) override {
-        if (arms_.empty())
+        if (surface_)
+            learn_surface(evaluated);
+        else if (arms_.empty())
             begin_race(evaluated);
         else
             learn_race(evaluated);
         last_ = std::move(evaluated);
+    }
+
+    void learn_surface(const Population& rows) {
+        constexpr std::size_t most = 10;  // generations
+        // Callers may find constraints that they did not announce.
+        if (std::ranges::any_of(
+                rows, [](const Individual& row) { return row.violation > 0; }))
+            return surface_.reset();
+        surface_->learn(rows, space_.senses.front(), seed_, generation());
+        if (surface_->generations() < most) return;
+        arms_.emplace_back(coordinates_, surface_->mean(),
+                           surface_->deviations(), population_);
+        surface_.reset();
     }
 
     void begin_race(const Population& design) {
@@ -187,6 +230,8 @@ class AutoSearch : public GenerationalOptimizer {
     std::size_t population_;  //!< plants per generation of two arms
     Genome champion_;
     std::vector<Champion> champions_;  //!< champions of earlier cycles
+    //! The search by response surfaces with which the first cycle begins.
+    std::optional<SurfaceArm> surface_;
     std::vector<Arm> arms_;  //!< running searches; if none, a design is next
     Population last_;
 };

@@ -207,7 +207,7 @@ constexpr Key line_keys[] = {
 };
 
 constexpr Key search_keys[] = {
-    key<&SearchSpec::optimizer>("optimizer", any_value, by("\"auto\""), "optimizer that proposes the candidates: a race of two CMA-ES searches with restarts, the genetic algorithm, a single CMA-ES, NSGA-II for several objectives, the best plant of each kind, random points, or points of the Sobol' sequence"),
+    key<&SearchSpec::optimizer>("optimizer", any_value, by("\"auto\""), "optimizer that proposes the candidates: response surfaces and CMA-ES with restarts, the genetic algorithm, a single CMA-ES, NSGA-II for several objectives, the best plant of each kind, random points, or points of the Sobol' sequence"),
     key<&SearchSpec::population>("population", within(2, 100000), by("100; of CMA-ES 4 + 3 ln(free genes), of auto 2.5 times that"), "plants per generation"),
     key<&SearchSpec::streams>("streams", within(1, 1000), usual(), "number of independent searches with generations in turn, so that many workers do not wait for the end of a generation; not for random search"),
     key<&SearchSpec::ga, &GaSettings::elites>("elites", within(0, 99999), usual(), "best plants carried over and re-evaluated; fewer than the population"),

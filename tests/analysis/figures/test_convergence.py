@@ -192,7 +192,7 @@ def test_generations_of_a_race_do_not_count_as_convergence(
     flat = 11 + 1e-5 * np.sin(np.arange(15))
     for optimizer, begin in (
         ("ga", "Yes: "),
-        ("auto", "Unknown: the initial race"),
+        ("auto", "Unknown: this optimiser begins"),
     ):
         folder = tmp_path / optimizer
         folder.mkdir()

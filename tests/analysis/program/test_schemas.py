@@ -125,7 +125,7 @@ def test_check_prints_json_of_its_schema(folder: Path, tmp_path: Path) -> None:
         "rate_2000": [52],
         "rd": [2],
     }
-    assert document["search"]["first_generation"] == 24
+    assert document["search"]["first_generation"] == 5
     cost = {**document["cost"], "evaluation_s": None}
     assert not validator("check").is_valid({**document, "cost": cost})
 

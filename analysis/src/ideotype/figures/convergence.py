@@ -33,8 +33,8 @@ _WITHOUT_LEARNING = ("random", "sobol")
 """Optimisers that sample plants independently of earlier plants."""
 
 RACE = 16
-"""The generations of the race with which `auto` begins, with its design
-(src/search/cma_es/auto_search.cpp)."""
+"""The generations of a race of `auto` with its design, more than those of its
+response surfaces (src/search/cma_es/auto_search.cpp)."""
 
 
 def draw_convergence(case: Case) -> Figure:
@@ -103,8 +103,8 @@ def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
         return f"No: {again}."
     if optimizer == "auto" and min(map(len, runs)) < RACE:
         return (
-            f"Unknown: the initial race of two searches of this optimiser takes "
-            f"{RACE} generations; {again}."
+            f"Unknown: this optimiser begins with response surfaces or a race, "
+            f"which take up to {RACE} generations; {again}."
         )
     if searches_differ(gains, matters):
         least, most = (f(x.mean for x in gains) for f in (min, max))

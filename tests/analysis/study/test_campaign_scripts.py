@@ -342,6 +342,27 @@ def test_the_distance_to_the_best_known_agrees_with_triples(
     assert (numbers[:, 1] > 0).all() and (numbers[:, 2] >= 0).all()
 
 
+def test_early_gains_of_two_labels_are_compared(tmp_path: Path) -> None:
+    words = ["--rough", "--seeds", 1, "--evaluations", 300]
+    words += ["--objective", "absorbed_par", "--condition", "all"]
+    first = run(
+        *("early_gains.py", tmp_path, *words, "--optimizer", "random"),
+        *("--label", "by_chance"),
+    )
+    assert "by_chance" in first and "surfaces" not in first
+    table = run("early_gains.py", tmp_path, *words, "--label", "surfaces")
+    cell = r" (\S+) ± \S+ \|"
+    rows = re.findall(
+        rf"(?m)^\| absorbed_par, [^|]* \| (\w+) \|{2 * cell} ([^|]*) \|", table
+    )
+    gains = {label: (float(x), float(y)) for label, x, y, _ in rows}
+    assert list(gains) == ["by_chance", "surfaces"], table
+    assert gains["surfaces"][1] > gains["by_chance"][1]
+    # The largest gain is the last of this search.
+    assert re.fullmatch(r"\d+ \(\S+ s\)", rows[1][3]), table
+    assert len(list(tmp_path.glob("*.json"))) == 2
+
+
 def test_blades_of_the_script_absorb_the_light_of_the_program(
     tmp_path: Path,
 ) -> None:

@@ -464,6 +464,16 @@ def test_drought_costs_grain(tmp_path: Path) -> None:
     assert shallow is not None and float(shallow[1]) < float(ratio[1])
 
 
+@pytest.mark.long
+def test_searches_of_choices_are_compared_with_enumeration(
+    tmp_path: Path,
+) -> None:
+    words = tmp_path, "--rough", "--seeds", 1, "--generations", 4
+    table = run("mixed.py", *words)
+    assert table.count("| enumeration, ") == 12
+    assert re.search(r"(?m)^\| search 1 \| \d+ \| 0.\d+ m, ", table)
+
+
 def test_all_faults_of_a_trial_are_listed(tmp_path: Path) -> None:
     lines = run("select_panel.py", tmp_path, "--only", "faults").splitlines()
     assert len([x for x in lines if x.startswith("faults.csv:")]) == 8

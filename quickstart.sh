@@ -29,8 +29,8 @@ echo
 }
 
 # Reports draw plants with the compiled module. The extras are those of commands
-# in the manual: crate, fit, indices and weather.
-install_python release crate,fit,sensitivity,weather
+# in the manual: crate, environments, fit, indices and weather.
+install_python release crate,environments,fit,sensitivity,weather
 echo
 "$ideotype" summary "$out/quickstart"
 echo

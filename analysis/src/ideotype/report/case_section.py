@@ -42,7 +42,11 @@ def make_plants(case: Case, plant_files: Sequence[Path] = ()) -> Plants | Note:
         return Note(f"Plants are not drawn: {reason}.")
 
 
-def make_section(case: Case, plants: Plants | Note) -> Section:
+def make_section(
+    case: Case, plants: Plants | Note, threads: int = 1
+) -> Section:
+    """Returns the section of a case. Plants with a changed trait, which take
+    most of the time, are evaluated by `threads` threads."""
     section = Section(case.name, is_folded=True)
     if isinstance(plants, Note):
         section.blocks.append(plants)
@@ -67,7 +71,7 @@ def make_section(case: Case, plants: Plants | Note) -> Section:
         "Which traits cause the gain, and which are the most sensitive?",
         "The best plant with one trait changed, evaluated with common random "
         "numbers. Error bars: 95 % confidence intervals of paired differences.",
-        partial(_draw_importance, case),
+        partial(_draw_importance, case, threads),
     )
     if case.pairs and DAY in case.best.row.quantities:
         section.draw(
@@ -83,13 +87,13 @@ def make_section(case: Case, plants: Plants | Note) -> Section:
     return section
 
 
-def _draw_importance(case: Case) -> Figure:
+def _draw_importance(case: Case, threads: int) -> Figure:
     """Draws the importance of traits.
 
     Raises HistoryError if plants cannot be evaluated on this machine."""
     case.need_pairs()
     try:
-        changes = evaluate_changes(case)
+        changes = evaluate_changes(case, threads)
     except Error as reason:
         raise HistoryError(str(reason)) from reason
     return draw_importance(case, changes)

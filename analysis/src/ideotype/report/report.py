@@ -175,7 +175,7 @@ def write_report(
                 ]
             ),
             *(
-                make_section(case, plants)
+                make_section(case, plants, max(1, jobs // len(single)))
                 for case, plants in zip(cases, built)
                 if case in single
             ),

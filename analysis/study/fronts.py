@@ -191,7 +191,11 @@ def water_row(found: Found, plant: int, _: int | None) -> list[str]:
         else ""
         for each in (water, carbon)
     ]
-    per_water = CARBON * carbon[plant] / water[plant]
+    # The ratio of means; its error is that of linearised ratios (Cochran 1977,
+    # chapter 6).
+    ratio = carbon[plant].mean() / water[plant].mean()
+    apart = (carbon[plant] - ratio * water[plant]) / water[plant].mean()
+    per_water = CARBON * (ratio + apart)
     return [
         *(plus_minus(estimate(water[plant].tolist()), 2), more[0]),
         *(plus_minus(estimate(carbon[plant].tolist()), 3), more[1]),

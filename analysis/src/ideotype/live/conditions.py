@@ -159,35 +159,45 @@ def seasons_of(tables: Tables, names: Mapping[str, str]) -> list[Tables]:
     ]
     return [
         {
-            axis: cut[axis]
-            for cut in [cut_case(tables, {**names, "climate": name})]
+            axis: entries[axis]
             for axis in ("climate", "weather")
-            if axis in cut
+            if axis in entries
         }
-        for name in (own, *others)
+        for entries in (
+            _choose_entries(tables, {**names, "climate": name})
+            for name in (own, *others)
+        )
     ]
+
+
+def _choose_entries(tables: Tables, names: Mapping[str, str]) -> Tables:
+    """Returns a resolved campaign with one entry of each axis, given by
+    `names`, and the weather of these entries. Entries are not copied, since
+    weather is large."""
+    chosen = dict(tables)
+    for axis in names:
+        if entries := tables.get(axis):
+            chosen[axis] = [e for e in entries if e["name"] == names[axis]]
+    kept = {axis: chosen[axis][0]["name"] for axis in ("site", "climate")
+            if axis in chosen}  # fmt: skip
+    if "weather" in tables:
+        chosen["weather"] = [
+            weather
+            for weather in tables["weather"]
+            if all(weather[axis] == name for axis, name in kept.items())
+        ]
+    return chosen
 
 
 def cut_case(tables: Tables, names: Mapping[str, str]) -> Tables:
     """Returns a resolved campaign that varies no keys, with one entry of each
     axis, given by `names`."""
-    cut = copy.deepcopy(tables)
-    for axis in names:
-        if entries := cut.get(axis):
-            cut[axis] = [e for e in entries if e["name"] == names[axis]]
+    cut = copy.deepcopy(_choose_entries(tables, names))
     if "search" not in cut:
         # A sensitivity study: it has one generation and searches for nothing.
         for table in ("sensitivity", "stop"):
             cut.pop(table, None)
     cut.get("search", {}).pop("keys", None)
-    kept = {axis: cut[axis][0]["name"] for axis in ("site", "climate")
-            if axis in cut}  # fmt: skip
-    if "weather" in cut:
-        cut["weather"] = [
-            weather
-            for weather in cut["weather"]
-            if all(weather[axis] == name for axis, name in kept.items())
-        ]
     # One entry needs no rule over scenarios.
     cut.pop("draw", None)
     for key in ("over", "scenarios", "scenario_tail", "scenario_threshold"):

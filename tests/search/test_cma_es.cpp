@@ -208,18 +208,24 @@ TEST(CmaEs, FeasiblePlantsRankFirst) {
     EXPECT_LT(sphere(best), 1.05);
 }
 
-TEST(CmaEs, SearchSurvivesFailedGenerations) {
-    const auto search =
-        make_cma_es(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+//! Expects finite candidates of a search for the sphere's minimum of which each
+//! third generation fails.
+void expect_finite_after_failures(GenerationalOptimizer& search) {
     for (int g = 0; g < 30; ++g) {
-        Population rows = evaluate(search->ask(), sphere);
+        Population rows = evaluate(search.ask(), sphere);
         if (g % 3 == 0)
             for (Individual& row : rows) row.status = Status::failed;
-        search->tell(rows);
-        for (const Candidate& candidate : search->ask())
+        search.tell(rows);
+        for (const Candidate& candidate : search.ask())
             for (const double x : candidate.genome)
                 EXPECT_TRUE(std::isfinite(x));
     }
+}
+
+TEST(CmaEs, SearchSurvivesFailedGenerations) {
+    const auto search =
+        make_cma_es(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
+    expect_finite_after_failures(*search);
 }
 
 //! Lists the sizes of successive generations until a size occurs again.
@@ -379,15 +385,7 @@ TEST(AutoSearch, SearchIsAPureFunctionOfRowsAcrossTheHandOver) {
 TEST(AutoSearch, SearchSurvivesFailedGenerationsOfSurfaces) {
     const auto search = make_auto_search(
         small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
-    for (int g = 0; g < 30; ++g) {
-        Population rows = evaluate(search->ask(), sphere);
-        if (g % 3 == 0)
-            for (Individual& row : rows) row.status = Status::failed;
-        search->tell(rows);
-        for (const Candidate& candidate : search->ask())
-            for (const double x : candidate.genome)
-                EXPECT_TRUE(std::isfinite(x));
-    }
+    expect_finite_after_failures(*search);
     EXPECT_LT(sphere(search->best(1).front().genome), 1);
 }
 

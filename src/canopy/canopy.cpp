@@ -164,6 +164,10 @@ CanopyReport evaluate(const CanopyRequest& request, const Device& device,
     return LitCanopy(request, device, clock, threads).report();
 }
 
+LightWork find_work(const CanopyRequest& request, const Device& device) {
+    return work_in_first_field({request, request.scene}, device);
+}
+
 RayScene build_scene(const Device& device, const Field& field, BoxTree tree) {
     const Cell& cell = field.cell;
     return cell.boundary == Boundary::isolated

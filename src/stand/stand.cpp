@@ -229,6 +229,36 @@ void Stand::prepare(const Device& device) {
         for (std::size_t s = 0; s < scenario.cases; ++s)
             lights.push_back(scenarios_[scenario.light].first + s);
     cue_.prepare(device, lights);
+    works_.resize(cases_.size());
+    if (campaign_.sampling.tolerance > 0) find_work(device);
+}
+
+//! Finds the work of each case by trials for the baseline, with random numbers
+//! that depend on no seed. If the baseline cannot be evaluated, each plant has
+//! separate trials.
+void Stand::find_work(const Device& device) {
+    const Plants baseline{campaign_.crop.baseline};
+    LightCue::Response response(cue_);
+    try {
+        for (const Scenario& scenario : scenarios_) {
+            if (scenarios_[scenario.light].first != scenario.first) continue;
+            for (std::size_t i = 0; i < scenario.cases; ++i) {
+                const std::size_t number = scenario.first + i;
+                const Case& in = cases_[number];
+                CanopyRequest request = request_of(
+                    {campaign_.sampling, Randomness{}},
+                    campaign_in(campaign_, in), in, scenes_[number], baseline);
+                response.set_plants(number, baseline, request.scene);
+                works_[number] = ideotype::find_work(request, device);
+                if (!cue_.is_any()) continue;
+                request.work = works_[number];
+                const LitCanopy lit(std::move(request), device);
+                response.observe(number, lit.scene(), lit.report());
+            }
+        }
+    } catch (const Error&) {
+        works_.assign(cases_.size(), std::nullopt);
+    }
 }
 
 std::vector<LitCanopy> Stand::light(const std::vector<std::size_t>& numbers,
@@ -244,6 +274,8 @@ std::vector<LitCanopy> Stand::light(const std::vector<std::size_t>& numbers,
             sampling, campaign_in(campaign_, in), in, scenes_[number], plants));
         request.details.sunlit = options.sunlit;
         response.set_plants(number, plants, request.scene);
+        if (sampling.accuracy == campaign_.sampling)
+            request.work = works_[number];
     }
     std::vector<LitCanopy> canopies = LitCanopy::sharing_light(
         std::move(requests), device, options.clock, options.threads);

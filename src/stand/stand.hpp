@@ -125,9 +125,11 @@ class Stand {
         return is_final ? final_schema_ : schema_;
     }
 
-    //! Sets up the scenes of all scenarios, and the light to which plants
-    //! respond; otherwise the first evaluation does so. After this call several
-    //! threads may evaluate, each with a different device.
+    //! Sets up the scenes of all scenarios, the light to which plants respond,
+    //! and the work that the campaign's tolerance requires for the baseline;
+    //! otherwise the first evaluation does so. All plants that are evaluated
+    //! with the accuracy of the search are traced with this work. After this
+    //! call several threads may evaluate, each with a different device.
     void prepare(const Device& device);
 
     //! Returns the outcome over all scenarios, a pure function of plants and
@@ -169,6 +171,8 @@ class Stand {
                                     const ControlDay& control);
 
   private:
+    void find_work(const Device& device);
+
     //! Computes cases that share their light.
     std::vector<LitCanopy> light(const std::vector<std::size_t>& numbers,
                                  const Plants& plants, const Sampling& sampling,
@@ -187,6 +191,9 @@ class Stand {
     const Campaign& campaign_;
     std::vector<Case> cases_;    //!< cases of each scenario and stage
     std::vector<Scene> scenes_;  //!< scenes, empty until set up
+    //! Work for the light of each case, if the baseline determines it; none for
+    //! cases that share the light of an earlier one.
+    std::vector<std::optional<LightWork>> works_{};
     std::vector<Scenario> scenarios_{};
     LightCue cue_;
     AcrossScenarios across_;

@@ -186,6 +186,13 @@ using Clock = std::function<double()>;
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
                       const Clock& clock = {}, int threads = 1);
 
+//! Finds the work that the tolerance of a request requires, by trials in its
+//! first field. Requests for other plants that get this work are traced with
+//! the same paths, so that more noise of the light cancels between the plants
+//! than with separate trials.
+//! @throws Error like evaluate()
+LightWork find_work(const CanopyRequest& request, const Device& device);
+
 //! A canopy after its light and fluxes have been computed, and before they are
 //! reported: stomata may still close under stress.
 class LitCanopy {

@@ -10,6 +10,8 @@
 #include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/layers.hpp"
+#include "ideotype/light/ray_scene.hpp"
+#include "ideotype/light/tolerance.hpp"
 
 namespace ideotype {
 
@@ -38,6 +40,12 @@ struct Details {
     std::optional<MeasuredLines> lines{};
 };
 
+//! The work with which light is traced in each field of an evaluation.
+struct LightWork {
+    Demand demand;
+    BoxTree tree{};  //!< tree of boxes for this work
+};
+
 //! An evaluation of a canopy, with all inputs that its result depends on.
 struct CanopyRequest {
     Scene scene;
@@ -47,6 +55,9 @@ struct CanopyRequest {
     Accuracy accuracy;
     Randomness randomness;
     Details details{};
+    //! Work with which the light in each field is traced; if there is none,
+    //! trials in the first field determine what the tolerance requires.
+    std::optional<LightWork> work{};
 };
 
 }  // namespace ideotype

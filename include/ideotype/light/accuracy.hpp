@@ -19,6 +19,8 @@ struct Accuracy {
     //! variation between fields.
     int fields = 1;
 
+    bool operator==(const Accuracy&) const = default;
+
     //! Returns the number of independent values of a figure, from which its
     //! error is estimated: one per field if there are several, otherwise one
     //! per randomisation.

@@ -266,26 +266,40 @@ std::vector<LeafGroup> leaves_of(const Evaluation& all,
                                           : drawn.measured.leaf_area_index);
 }
 
-//! Simulates the first field with trials. They determine the work that the
-//! tolerance requires; other fields repeat this work without trials.
+Layers layers_of(const CanopyRequest& request, const RayScene& surfaces) {
+    Layers layers = request.layers;
+    if (!(layers.thickness > 0))
+        layers.thickness = surfaces.top() / static_cast<double>(layers.count);
+    return layers;
+}
+
+LightWork try_out(const Evaluation& all, const Layers& layers,
+                  const DrawnField& drawn, const RayScene& surfaces) {
+    Demand demand = find_demand(subject_of(all, layers, drawn, surfaces),
+                                all.plan.accuracy, drawn.randomness);
+    const BoxTree tree = quickest_tree(demand.rays, surfaces.faces());
+    return {std::move(demand), tree};
+}
+
+//! Simulates the first field with the work of the request or, if there is none,
+//! with that found by trials. Other fields repeat this work.
 //! @param surfaces get the tree of boxes that suits the work, if there are
 //! further fields
 //! @param simulation receives the light in this field
 FirstLook look_at(const Evaluation& all, const DrawnField& drawn,
                   const Device& device, RayScene& surfaces,
                   Simulation& simulation) {
-    FirstLook look{all.request.layers};
-    if (!(look.layers.thickness > 0))
-        look.layers.thickness =
-            surfaces.top() / static_cast<double>(look.layers.count);
+    FirstLook look{layers_of(all.request, surfaces)};
     look.leaves = leaves_of(all, drawn);
     const Subject subject = subject_of(all, look.layers, drawn, surfaces);
     const Accuracy& accuracy = all.plan.accuracy;
-    Demand demand = find_demand(subject, accuracy, drawn.randomness);
-    look.tree = quickest_tree(demand.rays, surfaces.faces());
-    if (all.plan.fields > 1) surfaces.set_tree(device, look.tree);
+    const std::optional<LightWork>& known = all.request.work;
+    LightWork work =
+        known ? *known : try_out(all, look.layers, drawn, surfaces);
+    look.tree = work.tree;
+    if (all.plan.fields > 1 && !known) surfaces.set_tree(device, look.tree);
     simulation =
-        simulate(subject, std::move(demand), accuracy, drawn.randomness);
+        simulate(subject, std::move(work.demand), accuracy, drawn.randomness);
     look.trial = {{}, simulation.paths, simulation.is_capped, simulation.work};
     return look;
 }
@@ -336,21 +350,30 @@ std::vector<FieldLight> light_in(const Evaluations& all, int number,
     return lights;
 }
 
-//! Returns the tree of the first field. A single field is traced by trials and
-//! by the result, so that its faces meet many rays.
-BoxTree first_tree(const Plan& plan) {
+//! Returns the tree of the first field. A single field without known work is
+//! traced by trials and by the result, so that its faces meet many rays.
+BoxTree first_tree(const CanopyRequest& request, const Plan& plan) {
+    if (request.work) return request.work->tree;
     return plan.fields > 1 && plan.accuracy.tolerance > 0 ? BoxTree::by_order
                                                           : BoxTree::by_area;
 }
 
 }  // namespace
 
+LightWork work_in_first_field(const Evaluation& all, const Device& device) {
+    const DrawnField drawn = draw(all, 0);
+    const RayScene surfaces =
+        build_scene(device, drawn.field, first_tree(all.request, all.plan));
+    return try_out(all, layers_of(all.request, surfaces), drawn, surfaces);
+}
+
 FirstField first_field(const Evaluations& all, const Device& device,
                        const Clock& clock) {
     using Traced = std::pair<Simulation, const std::vector<FirstLook>&>;
     FirstField first;
     first.lights = light_in(
-        all, 0, device, clock, first_tree(all.front()->plan),
+        all, 0, device, clock,
+        first_tree(all.front()->request, all.front()->plan),
         [&](const DrawnField& drawn, RayScene& surfaces) {
             Simulation simulation;
             first.looks.assign(all.size(), look_at(*all.front(), drawn, device,

@@ -121,6 +121,10 @@ struct FirstField {
     std::vector<FieldLight> lights;
 };
 
+//! Generates the first field of an evaluation and finds the work that the
+//! tolerance requires, by trials.
+LightWork work_in_first_field(const Evaluation& all, const Device& device);
+
 //! Generates the first field of evaluations and computes its light and
 //! assimilation, with as much work as the tolerance requires.
 FirstField first_field(const Evaluations& all, const Device& device,

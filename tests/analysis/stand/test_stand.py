@@ -526,13 +526,17 @@ stand = ideotype.Stand.from_campaign(
     sys.argv[1],
     settings={"light.paths": 16, "field.rows": 30, "field.plants": 30},
 )
-resource.setrlimit(resource.RLIMIT_DATA, (20_000_000, 20_000_000))
+before = resource.getrlimit(resource.RLIMIT_DATA)
+resource.setrlimit(resource.RLIMIT_DATA, (20_000_000, before[1]))
 try:
     stand.evaluate(stand.baseline)
 except MemoryError as error:
     sys.exit(7)
 except RuntimeError as error:
     sys.exit(7 if "not enough memory" in str(error) else str(error))
+finally:
+    # The ray tracer starts threads to release its memory.
+    resource.setrlimit(resource.RLIMIT_DATA, before)
 """
 
 

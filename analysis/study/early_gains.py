@@ -21,11 +21,9 @@ above zero by three standard errors.
 
 from __future__ import annotations
 
-import argparse
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from time import process_time
 from typing import Any
 
 import numpy as np
@@ -39,9 +37,15 @@ from estimates import (
     plus_minus,
     print_table,
 )
-from shared import guard, light, parser_of_searches, say
+from shared import (
+    guard,
+    light,
+    parser_of_searches,
+    say,
+    search_by_package,
+)
 
-from ideotype import Search, Stand
+from ideotype import Stand
 
 CHECKPOINTS = (
     *(100, 150, 200, 300, 400, 500, 700),
@@ -49,41 +53,6 @@ CHECKPOINTS = (
 )
 SHOWN = (100, 300, 1000, 2500)
 SHARES = (0.8, 0.9)
-
-
-def search(stand: Stand, seed: int, options: argparse.Namespace) -> list[Any]:
-    """Returns the number of evaluations, the processor time [s] and the plant
-    at each checkpoint."""
-    free = np.asarray(stand.free)
-    genes = stand.genes[free]
-    optimizer = Search(
-        genes.lower,
-        genes.upper,
-        start=stand.baseline[free],
-        optimizer=options.optimizer,
-        seed=seed,
-        circular=genes.is_circular,
-        traits=list(genes.trait),
-    )
-    points: list[Any] = []
-    checkpoints = [x for x in CHECKPOINTS if x <= options.evaluations]
-    begin, count, generation = process_time(), 0, 0
-    while len(points) < len(checkpoints):
-        asked = np.asarray(optimizer.ask())
-        found = stand.evaluate(
-            asked, [], generation=generation, seed=seed, threads=1
-        )
-        values = np.asarray(found.objective_by_randomisation[:, 0])
-        optimizer.tell(values.mean(axis=1))
-        count, generation = count + len(asked), generation + 1
-        while len(points) < len(checkpoints) and (
-            count >= checkpoints[len(points)]
-        ):
-            plant = stand.baseline.copy()
-            plant[free] = np.asarray(optimizer.best(1))[0]
-            spent = process_time() - begin
-            points.append([checkpoints[len(points)], spent, plant.tolist()])
-    return points
 
 
 def first_reached(
@@ -158,7 +127,13 @@ def main() -> None:
                 path: Path = options.folder / name
                 if not path.exists():
                     say(f"searching: {path.stem}")
-                    path.write_text(json.dumps(search(stand, seed, options)))
+                    points, _ = search_by_package(
+                        stand,
+                        seed,
+                        [x for x in CHECKPOINTS if x <= options.evaluations],
+                        options.optimizer,
+                    )
+                    path.write_text(json.dumps(points))
             begin = f"{tables['name']}_s"
             for path in sorted(options.folder.glob(f"{begin}*.json")):
                 label = path.stem.removeprefix(begin).partition("_")[2]

@@ -15,7 +15,7 @@ from concurrent.futures import ThreadPoolExecutor
 from datetime import date, time
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from time import perf_counter
+from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
@@ -25,7 +25,7 @@ from estimates import Estimate, gain
 from numpy.typing import NDArray
 
 import ideotype
-from ideotype import Stand
+from ideotype import Search, Stand
 
 CAMPAIGNS = Path(__file__).parents[2] / "campaigns"
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"
@@ -272,6 +272,50 @@ def breed(
         words += ["--set", key]
     run_program(words, stderr=subprocess.PIPE).check_returncode()
     return sorted((out / name).glob("*.h5"))
+
+
+def search_by_package(
+    stand: Stand,
+    seed: int,
+    checkpoints: Sequence[int],
+    optimizer: str = "auto",
+) -> tuple[list[Any], list[list[float]]]:
+    """Searches with the Python package by one thread.
+
+    Returns the number of evaluations, the processor time [s] and the plant
+    that the search would return at each checkpoint, and the values of all
+    generations, row by row."""
+    free = np.asarray(stand.free)
+    genes = stand.genes[free]
+    search = Search(
+        genes.lower,
+        genes.upper,
+        start=stand.baseline[free],
+        optimizer=optimizer,
+        seed=seed,
+        circular=genes.is_circular,
+        traits=list(genes.trait),
+    )
+    points: list[Any] = []
+    generations: list[list[float]] = []
+    begin, count = process_time(), 0
+    while len(points) < len(checkpoints):
+        asked = np.asarray(search.ask())
+        found = stand.evaluate(
+            asked, [], generation=len(generations), seed=seed, threads=1
+        )
+        values = np.asarray(found.objective_by_randomisation[:, 0])
+        generations.append(values.mean(axis=1).tolist())
+        search.tell(generations[-1])
+        count += len(asked)
+        while len(points) < len(checkpoints) and (
+            count >= checkpoints[len(points)]
+        ):
+            plant = stand.baseline.copy()
+            plant[free] = np.asarray(search.best(1))[0]
+            spent = process_time() - begin
+            points.append([checkpoints[len(points)], spent, plant.tolist()])
+    return points, generations
 
 
 def breed_tables(

@@ -9,6 +9,7 @@
 #include "bindings.hpp"
 #include "ideotype/core/error.hpp"
 #include "search/optimizer.hpp"
+#include "search/stop_rules.hpp"
 
 namespace ideotype::python {
 
@@ -101,6 +102,20 @@ std::unique_ptr<Search> make_search(
     return std::make_unique<Search>(settings, space, seed);
 }
 
+//! Returns GainLeft::most of generations, if it is known.
+std::optional<double> most_gain_left(
+    const std::vector<std::uint32_t>& evaluations,
+    const std::vector<double>& means, bool maximise) {
+    std::vector<GenerationSummary> generations(evaluations.size());
+    for (std::size_t g = 0; g < generations.size(); ++g) {
+        generations[g].evaluations = evaluations[g];
+        generations[g].mean = means.at(g);
+    }
+    const auto found =
+        gain_left(generations, 0, maximise ? Sense::maximise : Sense::minimise);
+    return found ? std::optional(found->most) : std::nullopt;
+}
+
 }  // namespace
 
 void bind_search(nb::module_& module) {
@@ -109,6 +124,7 @@ void bind_search(nb::module_& module) {
         .def("tell", &Search::tell)
         .def("best", &Search::best);
     module.def("make_search", &make_search);
+    module.def("most_gain_left", &most_gain_left);
 }
 
 }  // namespace ideotype::python

@@ -53,8 +53,8 @@ CaseSearch::CaseSearch(const Evolution& evolution, History& history)
         }
         const GenerationSummary summary = summarized_(rows);
         known_rows_ += rows.size();
+        judge(summary, rows);
         for (Individual& row : rows) evolution.optimizer.learn(std::move(row));
-        judge(summary);
     }
 }
 
@@ -231,7 +231,7 @@ void CaseSearch::complete() {
     GenerationSummary summary = summarized_(rows);
     summary.wall_time = wall_time();
     progress_.wall_time = summary.wall_time;
-    judge(summary);
+    judge(summary, rows);
     complete_.push_back({generation, summary});
 }
 
@@ -245,7 +245,12 @@ void CaseSearch::commit() {
     complete_.clear();
 }
 
-void CaseSearch::judge(const GenerationSummary& summary) {
+void CaseSearch::judge(const GenerationSummary& summary,
+                       const Population& rows) {
+    const Individual& first = rows.front();
+    if (progress_.generations.empty() && first.status == Status::done &&
+        first.candidate.origin == Origin::baseline)
+        progress_.baseline = first.objectives.front().mean;
     progress_.generations.push_back(summary);
     if (reason_) return;
     reason_ =

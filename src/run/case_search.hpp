@@ -74,7 +74,7 @@ class CaseSearch {
     void copy(std::uint32_t generation, std::uint32_t original);
     std::vector<double> features_of(const Outcome& outcome) const;
     void complete();
-    void judge(const GenerationSummary& summary);
+    void judge(const GenerationSummary& summary, const Population& rows);
     std::uint32_t first_open() const {
         return static_cast<std::uint32_t>(progress_.generations.size());
     }

@@ -48,7 +48,51 @@ bool gains_nothing(const std::vector<GenerationSummary>& summaries,
     return gain <= certain * std::sqrt(scatter / xx);
 }
 
+//! Returns the mean of the means of generations that end between four fifths of
+//! a number of evaluations and this number, of three generations at least.
+//! Returns nothing if there are fewer, or if one is without feasible plants.
+std::optional<Estimate> level(std::span<const GenerationSummary> generations,
+                              double evaluations) {
+    constexpr double share = 0.8;
+    constexpr std::size_t fewest = 3;
+    std::vector<double> means;
+    std::size_t count = 0;  // of generations that end in the range
+    double end = 0;
+    for (const GenerationSummary& each : generations) {
+        end += each.evaluations;
+        if (end > evaluations) break;
+        if (!(each.violation == 0 && std::isfinite(each.mean))) {
+            means.clear();
+            count = 0;
+            continue;
+        }
+        means.push_back(each.mean);
+        if (end > share * evaluations) ++count;
+    }
+    if (means.size() < fewest) return std::nullopt;
+    return estimate(std::span(means).last(std::max(count, fewest)));
+}
+
 }  // namespace
+
+std::optional<GainLeft> gain_left(
+    std::span<const GenerationSummary> generations, double baseline,
+    Sense sense) {
+    constexpr double fewest = 250, factor = 1.02, part_of_error = 0.1;
+    double evaluations = 0;
+    for (const GenerationSummary& each : generations)
+        evaluations += each.evaluations;
+    if (evaluations < fewest || std::isnan(baseline)) return std::nullopt;
+    const auto now = level(generations, evaluations);
+    const auto before = level(generations, evaluations / 2);
+    if (!now || !before) return std::nullopt;
+    const double sign = sense == Sense::maximise ? 1 : -1;
+    const double error =
+        std::hypot(now->standard_error, before->standard_error);
+    return GainLeft{sign * (now->mean - baseline),
+                    factor * std::max(sign * (now->mean - before->mean),
+                                      part_of_error * error)};
+}
 
 std::optional<std::string> finished(const StopRules& rules,
                                     const Progress& progress, Sense sense) {
@@ -65,6 +109,12 @@ std::optional<std::string> finished(const StopRules& rules,
         return "wall_time";
     if (rules.no_gain > 0 && gains_nothing(generations, rules.no_gain, sense))
         return "no_gain";
+    if (rules.gain_left > 0) {
+        const auto gain = gain_left(generations, progress.baseline, sense);
+        if (gain && gain->so_far > 0 &&
+            gain->most <= rules.gain_left * gain->so_far)
+            return "gain_left";
+    }
     return std::nullopt;
 }
 

@@ -386,6 +386,12 @@ TEST(BrokenCampaign, RemediesAreValid) {
            "search.population is 6 (the optimizer is \"auto\", since "
            "search.optimizer is not given; CMA-ES ranks at least 8 plants); "
            "use 8 or more, or leave it out, or set search.optimizer = \"ga\"");
+    expect(problem_of(sample_text("",
+                                  "[search]\noptimizer = \"ga\"\n"
+                                  "[stop]\ngain_left = 0.1\n")),
+           "stop.gain_left is 0.1 (its statement was tested for the optimizer "
+           "\"auto\" alone); use stop.no_gain, or set search.optimizer = "
+           "\"auto\"");
 }
 
 TEST(BrokenCampaign, OnlyTheFirstLineThatIsNotTomlIsReported) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "search/stop_rules.hpp"
@@ -71,6 +73,68 @@ TEST(StopRules, NoGainIsASlopeBelowTwiceItsError) {
     EXPECT_EQ(
         finished(rules, make_infeasible({1, 1, 1, 1, 1, 1, 1, 1, 1}), maximise),
         std::nullopt);
+}
+
+//! Makes generations of 20 evaluations.
+std::vector<GenerationSummary> make_generations(
+    const std::vector<double>& means) {
+    std::vector<GenerationSummary> generations;
+    for (const double mean : means)
+        generations.push_back({.best = mean, .mean = mean, .evaluations = 20});
+    return generations;
+}
+
+TEST(GainLeft, IsTheRiseSinceHalfOfTheEvaluations) {
+    std::vector<double> means(20, 10);
+    for (int i = 10; i < 20; ++i) means[static_cast<std::size_t>(i)] = 11;
+    const auto up = gain_left(make_generations(means), 8, maximise);
+    ASSERT_TRUE(up);
+    EXPECT_DOUBLE_EQ(up->so_far, 3);
+    EXPECT_DOUBLE_EQ(up->most, 1.02);
+    const auto down = gain_left(make_generations(means), 12, minimise);
+    ASSERT_TRUE(down);
+    EXPECT_DOUBLE_EQ(down->so_far, 1);
+    // A fall leaves a bound by the error, which is 0 here.
+    EXPECT_DOUBLE_EQ(down->most, 0);
+}
+
+TEST(GainLeft, IsAtLeastATenthOfTheErrorOfTheRise) {
+    // Both levels are means of the last generations: four of 20, and three of
+    // 10, since a fifth of 10 are fewer.
+    std::vector<double> means(20, 10);
+    means[19] = 14;
+    means[9] = 14;
+    const auto found = gain_left(make_generations(means), 8, maximise);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->most, 0.102 * std::hypot(1., 4 / 3.), 1e-12);
+}
+
+TEST(GainLeft, IsUnknownBeforeItsTest) {
+    const std::vector<double> few(12, 10);
+    EXPECT_FALSE(gain_left(make_generations(few), 8, maximise));
+    const std::vector<double> enough(13, 10);
+    EXPECT_TRUE(gain_left(make_generations(enough), 8, maximise));
+    EXPECT_FALSE(
+        gain_left(make_generations(enough), Progress{}.baseline, maximise));
+    auto infeasible = make_generations(enough);
+    infeasible[5].violation = 1;
+    EXPECT_FALSE(gain_left(infeasible, 8, maximise));
+}
+
+TEST(StopRules, GainLeftIsAShareOfTheGainSoFar) {
+    StopRules rules = only_generations(1000);
+    rules.gain_left = 0.1;
+    std::vector<double> means(20, 10);
+    for (std::size_t i = 10; i < 20; ++i) means[i] = 11;
+    Progress progress{make_generations(means)};
+    EXPECT_EQ(finished(rules, progress, maximise), std::nullopt);
+    progress.baseline = 8;
+    EXPECT_EQ(finished(rules, progress, maximise), std::nullopt);
+    progress.baseline = 0;
+    EXPECT_EQ(finished(rules, progress, maximise), "gain_left");
+    // Without a gain no share is small.
+    progress.baseline = 12;
+    EXPECT_EQ(finished(rules, progress, maximise), std::nullopt);
 }
 
 TEST(StopRules, SeveralObjectivesAreJudgedByTheirHypervolume) {

@@ -239,6 +239,13 @@ void check_search(const Spec& spec, const Problems& problems) {
                   "stop.no_gain is {} (too few generations for the error of a "
                   "slope); use {} or more, or 0",
                   gain, fewest);
+    problems.rule({"stop.gain_left"},
+                  spec.stop.gain_left > 0 && spec.search.optimizer_or_usual() !=
+                                                 OptimizerKind::automatic,
+                  "stop.gain_left is {} (its statement was tested for the "
+                  "optimizer \"auto\" alone); use stop.no_gain, or set "
+                  "search.optimizer = \"auto\"",
+                  spec.stop.gain_left);
     check_scenarios(spec, problems);
     if (!spec.is_study) check_cma_es(spec, problems);
     constexpr double most_rows = std::numeric_limits<std::int32_t>::max();

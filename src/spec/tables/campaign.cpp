@@ -248,6 +248,7 @@ constexpr Key study_keys[] = {
 constexpr Key stop_keys[] = {
     key<&StopRules::generations>("generations", within(1, 1e6), usual(), "largest number of generations; also the size of a history"),
     key<&StopRules::no_gain>("no_gain", within(0, 1e6), usual(), "generations over which a line through the means, or the hypervolume, must rise by more than twice its standard error; 0: off, else 5 or more"),
+    key<&StopRules::gain_left>("gain_left", within(0, 1), usual(), "share of the gain so far that as many further evaluations gain at most, in 90 % of searches, when the search ends; only with `auto`; 0: off"),
     key<&StopRules::evaluations>("evaluations", within(0, 1e12), usual(), "evaluations after which the search ends; generations that have begun are finished; 0: no limit"),
     key<&StopRules::wall_time>("wall_time", duration(0, 1000000000), usual("\"12:00:00\""), "longest time of all sessions together; 0: no limit"),
 };

@@ -13,7 +13,6 @@ import pytest
 from made_history import MadeHistory
 from numpy.typing import NDArray
 
-from ideotype.figures import convergence
 from ideotype.figures.convergence import draw_convergence, judge_convergence
 from ideotype.figures.style import get_answer
 from ideotype.history import Estimate, open_study
@@ -145,6 +144,7 @@ def sentence(
             replace(
                 first,
                 best_row=np.arange(len(values)),
+                evaluations=np.full(len(values), 20),
                 mean=replace(first.mean, values=values),
             )
             for values in runs
@@ -186,30 +186,24 @@ def test_the_verdict_follows_the_evidence(
     assert "-0" not in text and "nan" not in text
 
 
-def test_generations_of_a_race_do_not_count_as_convergence(
-    tmp_path: Path,
-) -> None:
-    flat = 11 + 1e-5 * np.sin(np.arange(15))
-    for optimizer, begin in (
-        ("ga", "Yes: "),
-        ("auto", "Unknown: this optimiser begins"),
-    ):
-        folder = tmp_path / optimizer
-        folder.mkdir()
-        assert sentence(folder, [flat], optimizer).startswith(begin)
-    longer = 11 + 1e-5 * np.sin(np.arange(17))
-    folder = tmp_path / "longer"
+def test_the_default_search_states_a_tested_bound(tmp_path: Path) -> None:
+    """The bound is the rise since half of the evaluations, 1.02 times."""
+    few = sentence(tmp_path, [means(12, 0.1)], "auto")
+    assert few.startswith("Unknown: after so few evaluations")
+    rising = np.linspace(11, 11.4, 40)
+    folder = tmp_path / "rising"
     folder.mkdir()
-    assert sentence(folder, [longer], "auto").startswith("Yes: ")
-
-
-def test_the_length_of_the_race_agrees_with_the_program() -> None:
-    """The race follows an initial generation of designed plants."""
-    source = Path(__file__).parents[3] / "src/search/cma_es/auto_search.cpp"
-    match = re.search(
-        r"constexpr std::size_t race = (\d+)", source.read_text()
+    text = sentence(folder, [rising], "auto")
+    # The last fifth of 40 generations rises above that of the first 20.
+    bound = 1.02 * (rising[32:].mean() - rising[16:20].mean()) / 11
+    assert text == (
+        "No: as many further evaluations (800) gain at most "
+        f"{100 * bound:.1f} % more, in 90 % of searches."
     )
-    assert match and int(match[1]) + 1 == convergence.RACE
+    flat = tmp_path / "flat"
+    flat.mkdir()
+    text = sentence(flat, [means(40, 0.02)], "auto")
+    assert text.startswith("Yes: as many further evaluations (800) gain")
 
 
 def test_searches_with_different_gains_have_not_converged(

@@ -362,6 +362,25 @@ def test_early_gains_of_two_labels_are_compared(tmp_path: Path) -> None:
     assert len(list(tmp_path.glob("*.json"))) == 2
 
 
+@pytest.mark.long
+def test_statements_about_further_gain_are_counted(tmp_path: Path) -> None:
+    words = ["--objective", "absorbed_par", "--seeds", 2, "--calibrate", 1]
+    table = run("gain_left.py", tmp_path, *words, "--rough")
+    cell = r" (\d+) \((\S+), (\S+)\) \|"
+    rows = re.findall(rf"(?m)^\| absorbed_par, [^|]* \|{4 * cell}$", table)
+    assert len(rows) == 2, table
+    for row in rows:
+        # With one search, a statement holds if the gain is within the bound.
+        for held, gain, bound in zip(
+            row[::3], row[1::3], row[2::3], strict=True
+        ):
+            if gain != bound:
+                assert (held == "100") == (float(gain) < float(bound)), table
+    # Finished searches are not repeated.
+    assert len(list(tmp_path.glob("*.json"))) == 4
+    assert run("gain_left.py", tmp_path, *words, "--rough") == table
+
+
 def test_blades_of_the_script_absorb_the_light_of_the_program(
     tmp_path: Path,
 ) -> None:

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
+from ..common.compiled import _core
 from ..common.labels import describe_span
 from ..history.case import Case
 from ..history.file import HistoryError
@@ -31,10 +32,6 @@ from .style import axis_label, half_width, set_answer
 
 _WITHOUT_LEARNING = ("random", "sobol")
 """Optimisers that sample plants independently of earlier plants."""
-
-RACE = 16
-"""The generations of a race of `auto` with its design, more than those of its
-response surfaces (src/search/cma_es/auto_search.cpp)."""
 
 
 def draw_convergence(case: Case) -> Figure:
@@ -94,17 +91,28 @@ def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
     gain = abs(float(np.mean([x.mean for x in gains]))) if gains else 0.0
     matters = max(MATTERS, PART_THAT_MATTERS * gain)
     end = verdict(FurtherGain(mean, low, high), matters)
+    left = _most_gain_left(runs, sign) if optimizer == "auto" else None
+    if left is not None:
+        left *= 100 / scale
+        evaluations = describe_span([int(x.evaluations.sum()) for x in runs])
+        if left < matters:
+            end = End.YES
+        elif end is End.YES:
+            end = End.UNKNOWN
     again = (
-        f"by the trend of the population mean, as many further generations "
+        f"as many further evaluations ({evaluations}) gain at most "
+        f"{left:.1f} % more, in 90 % of searches"
+        if left is not None
+        else f"by the trend of the population mean, as many further generations "
         f"({_count(runs)}) would gain {_range(low, high)} % more (95 % "
         "confidence interval)"
     )
     if end is End.NO:
         return f"No: {again}."
-    if optimizer == "auto" and min(map(len, runs)) < RACE:
+    if optimizer == "auto" and left is None:
         return (
-            f"Unknown: this optimiser begins with response surfaces or a race, "
-            f"which take up to {RACE} generations; {again}."
+            f"Unknown: after so few evaluations the further gain of this "
+            f"optimiser has no tested bound; {again}."
         )
     if searches_differ(gains, matters):
         least, most = (f(x.mean for x in gains) for f in (min, max))
@@ -118,6 +126,19 @@ def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
         f"Yes: {again}; less than {matters:.1f} % counts as converged. A better "
         "plant elsewhere in the design space is not excluded."
     )
+
+
+def _most_gain_left(runs: Sequence[Generations], sign: int) -> float | None:
+    """Returns the mean over searches by `auto` of the bounds of what as many
+    further evaluations gain, as stop.gain_left uses them; none if one is
+    unknown."""
+    bounds = [
+        _core.most_gain_left(
+            run.evaluations.tolist(), run.mean.values.tolist(), sign > 0
+        )
+        for run in runs
+    ]
+    return None if None in bounds else float(np.mean(bounds))
 
 
 def _scale(case: Case, runs: Sequence[Generations]) -> float:

@@ -17,6 +17,7 @@ _REASONS = {
     "evaluations": "reached stop.evaluations",
     "wall_time": "reached stop.wall_time",
     "no_gain": "gained no more, by stop.no_gain",
+    "gain_left": "expected too little further gain, by stop.gain_left",
 }
 """The reasons for the end of a search in words. An optimiser with generations
 of varying size may fill its file ("room") before the number of generations is

@@ -145,8 +145,8 @@ class Master : public Director, public Watcher {
 };
 
 //! The data that all ranks of a simulation share.
-struct Simulation {
-    explicit Simulation(const Options& its_options)
+struct SimulatedRun {
+    explicit SimulatedRun(const Options& its_options)
         : options(its_options),
           campaign(read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml",
                                  {"search.optimizer=" + options.optimizer})) {
@@ -209,7 +209,7 @@ struct Simulation {
     long evaluations = 0;
 };
 
-void live(Simulation& simulation) try {
+void live(SimulatedRun& simulation) try {
     const Session session(simulation.clock);
     const int parts = masters(simulation.options.masters, session.size(),
                               simulation.options.cases);
@@ -225,7 +225,7 @@ void live(Simulation& simulation) try {
     std::exit(1);
 }
 
-void simulate(s4u::Engine& engine, Simulation& simulation) {
+void simulate(s4u::Engine& engine, SimulatedRun& simulation) {
     const char* name = "ideotype";
     const int ranks = simulation.options.ranks;
     engine.load_platform(IDEOTYPE_CLUSTER);
@@ -260,7 +260,7 @@ int main(int argc, char** argv) {
         s4u::Engine::set_config(setting);
     const Options options = read_options(argc, argv);
     std::filesystem::create_directories(options.folder);
-    Simulation simulation(options);
+    SimulatedRun simulation(options);
     simulate(engine, simulation);
     std::filesystem::remove_all(options.folder);
     return simulation.report() ? 0 : 1;

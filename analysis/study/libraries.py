@@ -4,9 +4,11 @@ module."""
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 from numpy.typing import ArrayLike
-from shared import Numbers
+from shared import Numbers, search_by_package
 
 from ideotype import Stand
 
@@ -20,8 +22,11 @@ class Function:
         self._stand, self._free = stand, np.asarray(stand.free)
         self._lower = genes.lower.to_numpy()[self._free]
         self._range = genes.upper.to_numpy()[self._free] - self._lower
-        self.start = (stand.baseline[self._free] - self._lower) / self._range
+        self.start = self.shares(stand.baseline)
         self.evaluations = self._generation = 0
+
+    def shares(self, plant: Numbers) -> Numbers:
+        return (plant[self._free] - self._lower) / self._range
 
     def plants(self, points: ArrayLike) -> Numbers:
         shares = np.atleast_2d(np.asarray(points, float))
@@ -29,8 +34,12 @@ class Function:
         plants[:, self._free] = self._lower + self._range * shares
         return plants
 
-    def __call__(self, points: ArrayLike) -> list[float]:
-        self._generation += 1
+    def __call__(
+        self, points: ArrayLike, *, repeats: bool = False
+    ) -> list[float]:
+        """Returns the values of points; `repeats`: with the random numbers of
+        the last call."""
+        self._generation += not repeats
         plants = self.plants(points)
         self.evaluations += len(plants)
         found = self._stand.evaluate(plants, [], generation=self._generation)
@@ -63,6 +72,113 @@ def by_bipop(stand: Stand, seed: int, count: int) -> Numbers:
     return function.plants(search.result.xfavorite)[0]
 
 
+def by_lq(stand: Stand, seed: int, count: int) -> Numbers:
+    """Searches by lq-CMA-ES in the package cma, which replaces evaluations by a
+    linear or quadratic model where that ranks plants well (Hansen 2019,
+    doi:10.1145/3321707.3321842)."""
+    import cma
+
+    function = Function(stand)
+    options = {
+        "bounds": [0, 1],
+        "seed": seed,
+        "maxfevals": count,
+        "verbose": -9,
+        "verb_log": 0,
+    }
+    _, search = cma.fmin_lq_surr(
+        lambda point: function([point])[0],
+        function.start.clip(0.02, 0.98),
+        0.2,
+        options,
+    )
+    return function.plants(search.result.xfavorite)[0]
+
+
+def by_turbo(stand: Stand, seed: int, count: int) -> Numbers:
+    """Searches by TuRBO-1 (Eriksson et al. 2019, arXiv:1910.01739): a Gaussian
+    process of scikit-learn with a length scale of each gene, and batches of ten
+    plants by Thompson sampling in a trust region. The baseline is one of the
+    first plants. Returns the evaluated plant with the best expectation."""
+    from scipy.stats import qmc
+    from sklearn.gaussian_process import GaussianProcessRegressor, kernels
+
+    batch, tried, success, longest, shortest = 10, 2048, 3, 1.6, 0.5**7
+    function = Function(stand)
+    genes = len(function.start)
+    random = np.random.default_rng(seed)
+    points = qmc.LatinHypercube(genes, rng=random).random(2 * genes)
+    points[0] = function.start
+    points = points[:count]
+    values = np.array(function(points))
+    failure = -(-genes // batch)
+    length, good, bad = 0.8, 0, 0
+    kernel = kernels.ConstantKernel() * kernels.Matern(
+        np.full(genes, 0.5), (0.05, 100), nu=2.5
+    ) + kernels.WhiteKernel(0.1)
+    while True:
+        model = GaussianProcessRegressor(kernel, normalize_y=True)
+        with warnings.catch_warnings():
+            # Length scales without effect are at their bound.
+            warnings.simplefilter("ignore")
+            model.fit(points, values)
+        kernel = model.kernel_
+        expected = model.predict(points)
+        best = points[expected.argmin()]
+        if len(points) >= count:
+            return function.plants(best)[0]
+        # The region is longer where the value depends less on a gene.
+        scales = kernel.k1.k2.length_scale
+        sides = length * scales / np.exp(np.log(scales).mean())
+        low, high = (
+            (best - sides / 2).clip(0),
+            (best + sides / 2).clip(None, 1),
+        )
+        new = qmc.Sobol(genes, rng=random).random(tried) * (high - low) + low
+        new = np.where(random.random(new.shape) < 20 / genes, new, best)
+        draws = model.sample_y(new, batch, random_state=seed + len(points))
+        chosen = np.unique(draws.argmin(axis=0))[: count - len(points)]
+        found = np.array(function(new[chosen]))
+        is_better = found.min() < values.min() - 1e-3 * abs(values.min())
+        good, bad = (good + 1, 0) if is_better else (0, bad + 1)
+        if good == success:
+            length, good = min(2 * length, longest), 0
+        if bad == failure:
+            length, bad = max(length / 2, shortest), 0
+        points = np.vstack([points, new[chosen]])
+        values = np.append(values, found)
+
+
+def by_gradient(stand: Stand, seed: int, count: int) -> Numbers:
+    """Searches by `auto` with half of the evaluations, then by L-BFGS-B of
+    SciPy from its plant. Slopes are differences of plants that share their
+    random numbers, with a step of a twentieth of each gene's range."""
+    from scipy.optimize import minimize
+
+    step = 0.05
+    function = Function(stand)
+    genes = len(function.start)
+    points, _ = search_by_package(stand, seed, [count // 2])
+    found = np.array(points[0][2])
+    function([function.start])
+
+    def slopes(point: Numbers) -> tuple[float, Numbers]:
+        steps = np.where(point + step <= 1, step, -step)
+        moved = np.vstack([point, point + np.diag(steps)])
+        values = np.array(function(moved, repeats=True))
+        return values[0], (values[1:] - values[0]) / steps
+
+    result = minimize(
+        slopes,
+        function.shares(found),
+        jac=True,
+        method="L-BFGS-B",
+        bounds=[(0, 1)] * genes,
+        options={"maxfun": max(1, (count - count // 2) // (genes + 1))},
+    )
+    return function.plants(result.x)[0]
+
+
 def by_pymoo(stand: Stand, seed: int, count: int) -> Numbers:
     """Searches by differential evolution in the package pymoo."""
     from pymoo.algorithms.soo.nonconvex.de import DE
@@ -82,4 +198,10 @@ def by_pymoo(stand: Stand, seed: int, count: int) -> Numbers:
     return function.plants(search.result().X)[0]
 
 
-LIBRARIES = {"bipop": by_bipop, "pymoo": by_pymoo}
+LIBRARIES = {
+    "bipop": by_bipop,
+    "pymoo": by_pymoo,
+    "lq_cma": by_lq,
+    "turbo": by_turbo,
+    "gradient": by_gradient,
+}

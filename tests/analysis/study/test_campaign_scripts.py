@@ -362,6 +362,19 @@ def test_early_gains_of_two_labels_are_compared(tmp_path: Path) -> None:
     assert len(list(tmp_path.glob("*.json"))) == 2
 
 
+@pytest.mark.parametrize("library", ["lq_cma", "turbo", "gradient"])
+def test_searches_of_other_packages_are_compared(
+    tmp_path: Path, library: str
+) -> None:
+    words = ["--rough", "--seeds", 1, "--evaluations", 90]
+    words += ["--objective", "absorbed_par", "--condition", "15x3"]
+    table = run("early_gains.py", tmp_path, *words, "--library", library)
+    row = re.search(
+        r"(?m)^\| absorbed_par, [^|]* \| auto \| (\S+) ± .*\| 90 \(", table
+    )
+    assert row is not None and float(row[1]) > 0, table
+
+
 @pytest.mark.long
 def test_statements_about_further_gain_are_counted(tmp_path: Path) -> None:
     words = ["--objective", "absorbed_par", "--seeds", 2, "--calibrate", 1]

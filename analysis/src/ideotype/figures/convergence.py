@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from ..common.compiled import _core
 from ..common.labels import describe_span
+from ..errors import NotCompiled
 from ..history.case import Case
 from ..history.file import HistoryError
 from ..history.state import Generations
@@ -91,7 +91,10 @@ def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
     gain = abs(float(np.mean([x.mean for x in gains]))) if gains else 0.0
     matters = max(MATTERS, PART_THAT_MATTERS * gain)
     end = verdict(FurtherGain(mean, low, high), matters)
-    left = _most_gain_left(runs, sign) if optimizer == "auto" else None
+    try:
+        left = _most_gain_left(runs, sign) if optimizer == "auto" else None
+    except NotCompiled as reason:
+        return f"Unknown: {reason}."
     if left is not None:
         left *= 100 / scale
         evaluations = describe_span([int(x.evaluations.sum()) for x in runs])
@@ -131,7 +134,12 @@ def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
 def _most_gain_left(runs: Sequence[Generations], sign: int) -> float | None:
     """Returns the mean over searches by `auto` of the bounds of what as many
     further evaluations gain, as stop.gain_left uses them; none if one is
-    unknown."""
+    unknown.
+
+    Raises NotCompiled if the installation lacks the compiled module, without
+    which figures are drawn all the same."""
+    from ..common.compiled import _core
+
     bounds = [
         _core.most_gain_left(
             run.evaluations.tolist(), run.mean.values.tolist(), sign > 0

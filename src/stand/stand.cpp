@@ -238,27 +238,34 @@ void Stand::prepare(const Device& device) {
 //! separate trials.
 void Stand::find_work(const Device& device) {
     const Plants baseline{campaign_.crop.baseline};
+    const Sampling sampling{campaign_.sampling, Randomness{}};
     LightCue::Response response(cue_);
     try {
         for (const Scenario& scenario : scenarios_) {
             if (scenarios_[scenario.light].first != scenario.first) continue;
             for (std::size_t i = 0; i < scenario.cases; ++i) {
                 const std::size_t number = scenario.first + i;
-                const Case& in = cases_[number];
-                CanopyRequest request = request_of(
-                    {campaign_.sampling, Randomness{}},
-                    campaign_in(campaign_, in), in, scenes_[number], baseline);
-                response.set_plants(number, baseline, request.scene);
-                works_[number] = ideotype::find_work(request, device);
-                if (!cue_.is_any()) continue;
-                request.work = works_[number];
-                const LitCanopy lit(std::move(request), device);
-                response.observe(number, lit.scene(), lit.report());
+                works_[number] = ideotype::find_work(
+                    request(number, baseline, sampling, response), device);
+                // The light of a stage decides the plants of the next one.
+                if (cue_.is_any() && i + 1 < scenario.cases)
+                    light({number}, baseline, sampling, device, response, {});
             }
         }
     } catch (const Error&) {
         works_.assign(cases_.size(), std::nullopt);
     }
+}
+
+CanopyRequest Stand::request(std::size_t number, const Plants& plants,
+                             const Sampling& sampling,
+                             LightCue::Response& response) const {
+    const Case& in = cases_[number];
+    CanopyRequest request = request_of(sampling, campaign_in(campaign_, in), in,
+                                       scenes_[number], plants);
+    response.set_plants(number, plants, request.scene);
+    if (sampling.accuracy == campaign_.sampling) request.work = works_[number];
+    return request;
 }
 
 std::vector<LitCanopy> Stand::light(const std::vector<std::size_t>& numbers,
@@ -269,13 +276,8 @@ std::vector<LitCanopy> Stand::light(const std::vector<std::size_t>& numbers,
                                     const ReportOptions& options) const {
     std::vector<CanopyRequest> requests;
     for (const std::size_t number : numbers) {
-        const Case& in = cases_[number];
-        CanopyRequest& request = requests.emplace_back(request_of(
-            sampling, campaign_in(campaign_, in), in, scenes_[number], plants));
-        request.details.sunlit = options.sunlit;
-        response.set_plants(number, plants, request.scene);
-        if (sampling.accuracy == campaign_.sampling)
-            request.work = works_[number];
+        requests.push_back(request(number, plants, sampling, response));
+        requests.back().details.sunlit = options.sunlit;
     }
     std::vector<LitCanopy> canopies = LitCanopy::sharing_light(
         std::move(requests), device, options.clock, options.threads);

@@ -173,6 +173,12 @@ class Stand {
   private:
     void find_work(const Device& device);
 
+    //! Returns the request to evaluate plants in a case, after they have
+    //! responded to the light of earlier stages.
+    CanopyRequest request(std::size_t number, const Plants& plants,
+                          const Sampling& sampling,
+                          LightCue::Response& response) const;
+
     //! Computes cases that share their light.
     std::vector<LitCanopy> light(const std::vector<std::size_t>& numbers,
                                  const Plants& plants, const Sampling& sampling,

@@ -13,8 +13,8 @@ evaluations, with the processor time until then, in FOLDER. Finished searches
 are not repeated. To compare versions of the program, run the script with the
 package of each version, and give each another --label. A search by another
 package (libraries.py) starts again for each of 100, 300, 1,000 and N
-evaluations, always with the same seed. --campaign searches the first case of a file instead
-of these stands, with keys of --set.
+evaluations, always with the same seed. --campaign searches the first case of a
+file instead of these stands, with keys of --set.
 
 Re-evaluates the plants of all labels in FOLDER with common random numbers.
 Prints for each stand and label the gain over the baseline, the mean of the
@@ -64,6 +64,7 @@ SHARES = (0.8, 0.9)
 
 
 def until(most: int, checkpoints: Sequence[int]) -> list[int]:
+    """Returns the checkpoints below the last one, and the last one."""
     return [*(x for x in checkpoints if x < most), most]
 
 

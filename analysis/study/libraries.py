@@ -5,6 +5,7 @@ module."""
 from __future__ import annotations
 
 import warnings
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -47,24 +48,28 @@ class Function:
         return [-x for x in values.mean(axis=1).tolist()]
 
 
-def by_bipop(stand: Stand, seed: int, count: int) -> Numbers:
-    """Searches by BIPOP-CMA-ES in the package cma (Hansen 2009,
-    doi:10.1145/1570256.1570333)."""
-    import cma
-
-    function = Function(stand)
-    options = {
+def options_of_cma(seed: int, count: int) -> dict[str, Any]:
+    """Returns the options of searches by the package cma."""
+    return {
         "bounds": [0, 1],
         "seed": seed,
         "maxfevals": count,
         "verbose": -9,
         "verb_log": 0,
     }
+
+
+def by_bipop(stand: Stand, seed: int, count: int) -> Numbers:
+    """Searches by BIPOP-CMA-ES in the package cma (Hansen 2009,
+    doi:10.1145/1570256.1570333)."""
+    import cma
+
+    function = Function(stand)
     _, search = cma.fmin2(
         None,
         function.start.clip(0.02, 0.98),
         0.2,
-        options,
+        options_of_cma(seed, count),
         restarts=9,
         bipop=True,
         parallel_objective=function,
@@ -79,18 +84,11 @@ def by_lq(stand: Stand, seed: int, count: int) -> Numbers:
     import cma
 
     function = Function(stand)
-    options = {
-        "bounds": [0, 1],
-        "seed": seed,
-        "maxfevals": count,
-        "verbose": -9,
-        "verb_log": 0,
-    }
     _, search = cma.fmin_lq_surr(
         lambda point: function([point])[0],
         function.start.clip(0.02, 0.98),
         0.2,
-        options,
+        options_of_cma(seed, count),
     )
     return function.plants(search.result.xfavorite)[0]
 

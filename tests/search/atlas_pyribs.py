@@ -4,10 +4,9 @@
 
     atlas_pyribs.py [--evaluations N] [--seeds N]
 
-The benchmark is that of tests/analysis/search/test_atlas.py: the sphere with 20
-genes, two features, 20 x 20 cells. Prints the QD score, the sum of the
-noise-free objectives of all leaders, and the number of cells with a leader, for
-several standard deviations of the noise; means of the seeds, ± half of a 95 %
+The benchmark is that of tests/analysis/atlas_benchmark.py. Prints the QD score,
+the sum of the noise-free objectives of all leaders, and the number of cells
+with a leader, for several standard deviations of the noise; means of the seeds, ± half of a 95 %
 interval. Emitters of pyribs are IsoLineEmitter, GaussianEmitter and
 EvolutionStrategyEmitter (CMA-ME), with batches of 36 or 100 points. It needs the
 packages ribs (0.12) and ideotype.
@@ -17,8 +16,10 @@ from __future__ import annotations
 
 import argparse
 import math
+import sys
 import warnings
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 from ribs.archives import GridArchive
@@ -30,40 +31,18 @@ from ribs.emitters import (
 from ribs.schedulers import Scheduler
 from scipy.stats import t as student
 
-from ideotype import Search
+sys.path.insert(0, str(Path(__file__).parents[1] / "analysis"))
+from atlas_benchmark import (
+    BOUND,
+    CELLS,
+    GENES,
+    REACH,
+    by_atlas,
+    features,
+    worth,
+)
 
-GENES, BOUND, CELLS = 20, 5.12, 20
-REACH = BOUND * GENES / 2
 NOISE = (0, 5, 10, 20)
-
-
-def worth(points: np.ndarray) -> np.ndarray:
-    shift = 0.4 * BOUND
-    worst = GENES * (BOUND + shift) ** 2
-    return 100 * (1 - ((points - shift) ** 2).sum(axis=1) / worst)
-
-
-def features(points: np.ndarray) -> np.ndarray:
-    return points.reshape(len(points), 2, -1).sum(axis=2)
-
-
-def by_atlas(noise: float, seed: int, batch: int, evaluations: int):
-    """Returns the leaders."""
-    search = Search(
-        [-BOUND] * GENES,
-        [BOUND] * GENES,
-        optimizer="atlas",
-        population=batch,
-        seed=seed,
-        axes=[(-REACH, REACH, CELLS)] * 2,
-    )
-    random, count = np.random.default_rng(seed), 0
-    while count < evaluations:
-        points = search.ask()
-        luck = noise * random.standard_normal(len(points))
-        search.tell(worth(points) + luck, features=features(points))
-        count += len(points)
-    return search.best(CELLS**2)
 
 
 def emitters(kind: str, archive: GridArchive, seed: int, batch: int) -> list:

@@ -166,7 +166,8 @@ def moved_season(
     here = bondville()["site"][0]
     fast = here["longitude"] / 15 - here["utc_offset"]
     days = []
-    measured = pd.read_csv(file or season()["file"])
+    source = Path(file or season()["file"])
+    measured = pd.read_csv(source)
     for _, rows in measured.groupby(measured.time.str[:10]):
         day = date.fromisoformat(rows.time.iloc[0][:10])
         hours = np.arange(24.0)
@@ -189,6 +190,6 @@ def moved_season(
             share = rows[name].to_numpy()[shines]
             moved[name] = np.interp(*known, share)
         days.append(moved)
-    path = folder / f"season_{latitude:g}.csv"
+    path = folder / f"{source.stem}_{latitude:g}.csv"
     pd.concat(days).round(4).to_csv(path, index=False)
     return path

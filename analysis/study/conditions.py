@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The conditions of arXiv:2512.06064, and campaigns with the three
-objectives."""
+"""The conditions of arXiv:2512.06064, and campaigns with four objectives."""
 
 from __future__ import annotations
 
@@ -8,13 +7,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from climates import CLEAR_DAY, bondville, moved_season, season, site
+from climates import (
+    CLEAR_DAY,
+    bondville,
+    growing_season,
+    moved_season,
+    season,
+    site,
+)
 from shared import (
+    HYBRID,
     MAIZE,
     ROUGH,
     SEVERAL_FIELDS,
     SMALL_FIELD,
-    with_former_defaults,
 )
 
 INCH = 0.0254
@@ -57,7 +63,11 @@ UNITS = {
     "absorbed_par": "MJ m-2 day-1",
     "net_assimilation": "mol m-2 day-1",
     "carbon_balance": "mol m-2 day-1",
+    "grain_yield": "t ha-1",
 }
+#: The objectives of arXiv:2512.06064 and their successors, for the plant at
+#: silking. Grain needs the hybrid that grows.
+AT_SILKING = ("absorbed_par", "net_assimilation", "carbon_balance")
 
 
 def campaign(
@@ -68,7 +78,9 @@ def campaign(
     plant: Path = MAIZE,
     is_alike: bool = False,
 ) -> dict[str, Any]:
-    """Returns the tables of a campaign under a condition, without a search."""
+    """Returns the tables of a campaign under a condition, without a search.
+    For grain the hybrid grows from emergence to maturity, with the traits that
+    can be selected, whatever `plant` and the traits of the condition are."""
     tables: dict[str, Any] = {
         "name": f"{objective}_{where.name}",
         "spacing": [
@@ -85,19 +97,23 @@ def campaign(
         "light": {} if is_alike else SEVERAL_FIELDS,
         "final": {"candidates": 3, "paths": 4096, "randomisations": 256},
     }
-    if objective != "carbon_balance":
-        here, light = site(where.latitude), {"day": [CLEAR_DAY]}
-    elif where.latitude == AMES:
-        here, light = bondville()["site"][0], {"climate": [season()]}
+    if objective == "grain_yield":
+        del tables["traits"]
+        tables["plant"] = {"baseline": str(HYBRID), "bounds": "breedable"}
+        found = growing_season()
+    elif objective == "carbon_balance":
+        found = {**bondville(), "climate": [season()]}
     else:
-        moved = moved_season(where.latitude, folder)
-        here = site(where.latitude)
-        light = {"climate": [{**season(), "file": str(moved)}]}
-    return with_former_defaults(
-        {
-            **tables,
-            "site": [here],
-            **light,
-            **(ROUGH if is_rough else {}),
-        }
-    )
+        found = {"day": [CLEAR_DAY]}
+    (here,) = found.get("site", [site(where.latitude)])
+    for climate in found.get("climate", []):
+        if where.latitude != AMES:
+            here = site(where.latitude)
+            moved = moved_season(where.latitude, folder, climate["file"])
+            climate["file"] = str(moved)
+    return {
+        **tables,
+        "site": [here],
+        **{name: found[name] for name in ("day", "climate") if name in found},
+        **(ROUGH if is_rough else {}),
+    }

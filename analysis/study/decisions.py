@@ -322,8 +322,7 @@ def compare_regret(options: argparse.Namespace) -> None:
     chosen = representatives(options, 3)
     few = years_of(chosen)
     search: Mapping[str, Any] = {
-        "stop": {"generations": 2 if options.rough else 12},
-        "search": {"population": 6 if options.rough else 16},
+        "stop": {"evaluations": 12 if options.rough else 192},
     }
     campaigns = {
         "3 years": champaign(options, few, chosen.weights, **search),

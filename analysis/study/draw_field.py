@@ -77,7 +77,7 @@ def of_campaign(path: Path, folder: Path) -> tuple[Mesh, Numbers, float]:
     tables |= {
         "light": {"paths": 16, "randomisations": 4},
         "objective": {},
-        "search": {"population": 2, "elites": 0},
+        "search": {"optimizer": "ga", "population": 2, "elites": 0},
         "stop": {"generations": 1},
         "final": {"candidates": 1, "paths": 16, "randomisations": 2},
     }

@@ -598,7 +598,6 @@ def compare_bred(options: argparse.Namespace) -> None:
         campaign = champaign(options.years, year, options.folder, **tables)
         campaign |= {
             "name": "bred_" + name.replace(", ", "_"),
-            "search": {"optimizer": "cma_es", "population": 16},
             "replicates": options.seeds,
             "light": {"tolerance": 0.02},
             "final": {
@@ -606,7 +605,7 @@ def compare_bred(options: argparse.Namespace) -> None:
                 "paths": 1024,
                 "randomisations": 16,
             },
-            "stop": {"generations": options.generations},
+            "stop": {"evaluations": options.evaluations},
         } | (ROUGH if options.rough else {})
         plants[name] = best_plants(campaign, options.folder)
         stands[name] = Stand(campaign)
@@ -680,7 +679,7 @@ def compare_cost(folder: Path, pairs: int) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, seeds=4, generations=40)
+    parser = parser_of_searches(__doc__, seeds=4, evaluations=640)
     parser.add_argument("--measured", type=Path)
     parser.add_argument("--years", type=Path)
     years = [2011, 2012, 2005, 1999, 2014, 2023]

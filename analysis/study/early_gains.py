@@ -34,7 +34,7 @@ from time import process_time
 from typing import Any
 
 import numpy as np
-from conditions import CONDITIONS, UNITS, campaign
+from conditions import AT_SILKING, CONDITIONS, UNITS, campaign
 from estimates import (
     Estimate,
     difference,
@@ -161,7 +161,7 @@ def main() -> None:
     of.add_argument("--optimizer", default="auto")
     of.add_argument("--library", choices=LIBRARIES)
     parser.add_argument(
-        "--objective", nargs="+", choices=UNITS, default=list(UNITS)
+        "--objective", nargs="+", choices=UNITS, default=AT_SILKING
     )
     parser.add_argument(
         "--condition",

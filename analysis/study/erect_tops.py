@@ -3,7 +3,7 @@
 """Finds the plant density from which an erect top pays.
 
 erect_tops.py FOLDER [--figure FILE.png] [--light LIGHT...] [--limit LIMIT...]
-              [--densities N...] [--latitudes N...] [--generations N]
+              [--densities N...] [--latitudes N...] [--evaluations N]
               [--seeds N] [--rough]
 
 Optimises crops/maize.toml twice for each plant density, latitude, light and
@@ -131,7 +131,6 @@ def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
         **breedable_but(MAIZE, insertion_angle_profile=ANGLES),
         "objective": {"maximise": "carbon_balance"},
         "light": {"tolerance": 0.012, **SEVERAL_FIELDS},
-        "search": {"optimizer": "cma_es", "population": 20},
         "final": {"candidates": 2, "paths": 4096, "randomisations": 64},
     }
     if where.light == "clear":
@@ -151,7 +150,7 @@ def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
 
 
 def bred(
-    tables: dict[str, Any], top: str, seed: int, generations: int, folder: Path
+    tables: dict[str, Any], top: str, seed: int, evaluations: int, folder: Path
 ) -> Numbers:
     """Returns the genome of the best plant with the given shape of the top."""
     angles = {"range": TOPS[top], "highest": TOP_LEAVES}
@@ -161,19 +160,19 @@ def bred(
         "name": f"{tables['name']}_{top}_s{seed}",
         "seed": seed,
         "constraints": {**constraints, "insertion_angle": angles},
-        "stop": {"generations": generations},
+        "stop": {"evaluations": evaluations},
     }
     return best(breed_tables(shaped, folder)[0])
 
 
 def bred_pairs(
-    tables: dict[str, Any], folder: Path, generations: int, seeds: int
+    tables: dict[str, Any], folder: Path, evaluations: int, seeds: int
 ) -> list[list[Numbers]]:
     """Returns the best plants with a flat and with an erect top, for each
     seed."""
     return [
         [
-            bred(tables, top, seed, generations, folder)
+            bred(tables, top, seed, evaluations, folder)
             for top in ("flat", "erect")
         ]
         for seed in range(1, seeds + 1)
@@ -191,10 +190,10 @@ def gains(pairs: Sequence[Sequence[Sequence[float]]]) -> Gains:
 
 
 def gains_of(
-    tables: dict[str, Any], folder: Path, generations: int, seeds: int
+    tables: dict[str, Any], folder: Path, evaluations: int, seeds: int
 ) -> Gains:
     stand = Stand(tables)
-    pairs = bred_pairs(tables, folder, generations, seeds)
+    pairs = bred_pairs(tables, folder, evaluations, seeds)
     return gains([light(stand, np.array(pair)).tolist() for pair in pairs])
 
 
@@ -281,7 +280,7 @@ def draw(results: dict[Condition, Gains], path: Path) -> None:
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, has_figure=True, generations=30, seeds=3
+        __doc__, has_figure=True, evaluations=600, seeds=3
     )
     parser.add_argument("--light", nargs="+", choices=LIGHTS, default=LIGHTS)
     parser.add_argument("--limit", nargs="+", choices=LIMITS, default=LIMITS)
@@ -304,7 +303,7 @@ def main() -> None:
     def look(where: Condition, seeds: int) -> Gains:
         say(f"{where.name}: {seeds} seeds")
         tables = campaign(where, options.folder, options.rough)
-        return gains_of(tables, options.folder, options.generations, seeds)
+        return gains_of(tables, options.folder, options.evaluations, seeds)
 
     results = {where: look(where, 1) for where in wanted}
     for where in sorted({x for pair in sign_changes(results) for x in pair}):

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures the cost of staying close to measured lines of maize.
 
-feasible.py FOLDER [--generations N] [--rough]
+feasible.py FOLDER [--evaluations N] [--rough]
 
 Optimises the smooth traits of crops/maize.toml in rows of 30 inches with 6
 inches between plants, under within-line variation, for absorbed PAR and net
@@ -18,6 +18,7 @@ import tomllib
 from typing import Any
 
 import numpy as np
+from conditions import AT_SILKING
 from estimates import gain, plus_minus, print_table
 from fields import DAY, SEASON
 from shared import (
@@ -56,18 +57,17 @@ def campaign(objective: str, limit: float) -> dict[str, Any]:
         "name": name,
         "objective": {"maximise": objective},
         "feasibility": {"lines": str(LINES), "limit": limit},
-        "search": {"population": 24},
     }
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=100)
+    parser = parser_of_searches(__doc__, evaluations=2400)
     options = parser.parse_args()
     rows = []
-    for objective, title in TITLES.items():
+    for objective in AT_SILKING:
         for limit, distance in LIMITS.items():
             tables = campaign(objective, distance) | {
-                "stop": {"generations": options.generations}
+                "stop": {"evaluations": options.evaluations}
             }
             if options.rough:
                 tables |= ROUGH
@@ -80,7 +80,7 @@ def main() -> None:
                 unit = opened.objectives[0].unit
             rows.append(
                 [
-                    f"{title} [{unit}]",
+                    f"{TITLES[objective]} [{unit}]",
                     limit,
                     *(f"{each.mean():.4g}" for each in values),
                     plus_minus(gain(*values.tolist()), 2, "+"),

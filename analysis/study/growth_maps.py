@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares optimised plants with growth and without, and seasons with fields.
 
-growth_maps.py FOLDER [--only PART] [--densities N...] [--generations N] [--seeds N]
+growth_maps.py FOLDER [--only PART] [--densities N...] [--evaluations N] [--seeds N]
                [--figure FILE.png] [--rough]
 
 tops     The hybrid optimised twice for each plant density, with growth and without (the same days
@@ -75,8 +75,7 @@ def campaigns(options: Options, density: float) -> dict[str, dict[str, Any]]:
         "spacing": [{"row": ROW, "density": density}],
         "field": {"rows": 2, "plants": 2, "variation": FIELD_PLANTS},
         "plant": {"baseline": str(HYBRID), "bounds": "breedable"},
-        "search": {"optimizer": "cma_es", "population": 20},
-        "stop": {"generations": options.generations},
+        "stop": {"evaluations": options.evaluations},
         "final": {"candidates": 1, **PRECISE_FINAL},
     }
     if options.rough:
@@ -129,7 +128,7 @@ def of_a_top(
     }
     say(shaped["name"])
     pairs = bred_pairs(
-        shaped, options.folder, options.generations, options.seeds
+        shaped, options.folder, options.evaluations, options.seeds
     )
     areas = [
         float(stand.evaluate(plant, [quantity])[quantity].max())
@@ -276,7 +275,7 @@ PARTS = {"tops": tops, "best": best_plants, "season": seasons}
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, has_figure=True, generations=15, seeds=2
+        __doc__, has_figure=True, evaluations=300, seeds=2
     )
     parser.add_argument(
         "--densities", nargs="+", type=float, default=DENSITIES

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Changes one trait of a plant at a time, with and without its other organs.
 
-interventions.py FOLDER [--fields N] [--generations N] [--seeds N] [--rough]
+interventions.py FOLDER [--fields N] [--evaluations N] [--seeds N] [--rough]
 
 Moves each trait that quickstart.toml optimises halfway to its bounds and to
 them, while all other traits stay those of the baseline. Prints the change of
@@ -230,7 +230,7 @@ def tables_of(options: argparse.Namespace) -> dict[str, Any]:
     """Returns the tables of the quickstart with the requested numbers of
     fields and searches."""
     tables = campaign_of("quickstart", replicates=options.seeds)
-    tables["stop"]["generations"] = options.generations
+    tables["search"], tables["stop"] = {}, {"evaluations": options.evaluations}
     if options.rough:
         tables |= {"light": ROUGH["light"], "final": dict(ROUGH["final"])}
     return tables
@@ -248,7 +248,7 @@ def stands_of(tables: dict[str, Any], fields: int) -> Stands:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, fields=192, generations=20, seeds=3)
+    parser = parser_of_searches(__doc__, fields=192, evaluations=480, seeds=3)
     options = parser.parse_args()
     tables = tables_of(options)
     stands = stands_of(tables, options.fields)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares searches over numbers, integers and choices with enumeration.
 
-mixed.py FOLDER [--seeds N] [--rough]
+mixed.py FOLDER [--evaluations N] [--seeds N] [--rough]
 
 The plant (its height), its density (an integer), the row distance (one of three)
 and the row pattern (equal or twin rows) are searched for the margin of an
@@ -122,16 +122,15 @@ def found_by(history: Path) -> tuple[Option, int]:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, seeds=5, generations=30)
+    parser = parser_of_searches(__doc__, seeds=5, evaluations=480)
     options = parser.parse_args()
     densities = DENSITIES[::4] if options.rough else DENSITIES
     every = [Option(*x) for x in product(ROWS, densities, PATTERNS, HEIGHTS)]
     margins = np.array(evaluate(options, every, 1))[:, 0]
     order = margins.argsort()[::-1][:FINALISTS]
     tables = campaign(options, name="mixed", replicates=options.seeds)
-    tables["stop"] = {"generations": options.generations}
+    tables["stop"] = {"evaluations": options.evaluations}
     tables["search"] = {
-        "population": 16,
         "keys": [
             {"key": "spacing.row", "values": list(ROWS)},
             {

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures gains of maize in strips with soybean, and of invaders of a stand.
 
-neighbours.py FOLDER [--only PART] [--generations N] [--seeds N] [--figure FILE]
+neighbours.py FOLDER [--only PART] [--evaluations N] [--seeds N] [--figure FILE]
               [--rough]
 
 Part strips optimises crops/maize.toml in the strips of strip.toml for the land
@@ -128,8 +128,7 @@ def common_of(options: Options) -> dict[str, Any]:
     """Returns the tables that all campaigns share."""
     return {
         "replicates": options.seeds,
-        "search": {"population": 24},
-        "stop": {"generations": options.generations},
+        "stop": {"evaluations": options.evaluations},
         "final": {"candidates": 3, "randomisations": 32},
         **(ROUGH if options.rough else {}),
     }
@@ -216,7 +215,7 @@ def invaders(options: Options) -> None:
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, has_figure=True, generations=40, seeds=1
+        __doc__, has_figure=True, evaluations=960, seeds=1
     )
     run_parts(parser, {"strips": strips, "invaders": invaders})
 

@@ -41,7 +41,6 @@ from shared import (
     CAMPAIGNS,
     MAIZE,
     Numbers,
-    former_tolerance,
     guard,
     parser_of_searches,
     run_parts,
@@ -163,7 +162,6 @@ def cost(options: Options) -> None:
                 QUICK,
                 settings={
                     "field.rows": 8, "light.sky": sky, "panel": [each],
-                    "light.tolerance": former_tolerance(QUICK),
                 },
             )
             for name, each in kinds.items()

@@ -183,14 +183,13 @@ def shaded(stand: Stand, options: Options) -> str:
 def bred(options: Options) -> None:
     common: dict[str, Any] = {
         "replicates": options.seeds,
-        "stop": {"generations": options.generations},
+        "search": {},
+        "stop": {"evaluations": 24 * options.generations},
     }
     places = {
         "below modules": tables_of("agrivoltaic", options, **common),
         "the open": tables_of("agrivoltaic", options, **common, panel=[]),
     }
-    for tables in places.values():
-        tables["search"] = {**tables["search"], "optimizer": "ga"}
     stands = {name: Stand(tables) for name, tables in places.items()}
     plants: dict[str, list[Numbers]] = {
         "baseline": [stands["the open"].baseline]

@@ -64,7 +64,7 @@ def front(options: Options, alone: float) -> None:
     single = {
         **tables,
         "objective": {"maximise": "net_assimilation"},
-        "search": {"optimizer": "ga"},
+        "search": {},
     }
     grown = [
         Stand(
@@ -121,7 +121,7 @@ def power_over_soil(tables: Mapping[str, Any], pitch: float) -> float:
             **tables,
             "spacing": [{"row": row, "plant": 10, "row_direction": 0}],
             "field": {"rows": 4, "plants": 1},
-            "search": {"optimizer": "ga"},
+            "search": {},
             "objective": {"maximise": "net_assimilation"},
         }
     )

@@ -22,9 +22,8 @@ differences in the unit of the objective where the baseline is not above zero
 by three standard errors. Also prints the gains of the same plants without
 other organs, and the parts of the gain. With --alike searches have uniform
 stands; a second table has the gains of their best plants in variable stands.
-A last table has the core-seconds until the first seed reaches 90 % of the
-largest gain under the first condition, which has more seeds than the others
-(wall-clock time: keep the machine free of other work).
+The first condition has more seeds than the others; a last table has the gain
+of each.
 
 The season is that of Bondville, Illinois, 40 deg north instead of 42, and
 moved to the other latitudes (climates.moved_season).
@@ -33,7 +32,6 @@ moved to the other latitudes (climates.moved_season).
 from __future__ import annotations
 
 import json
-import math
 import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -42,7 +40,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from conditions import CONDITIONS, FIRST, UNITS, Condition, campaign
+from conditions import (
+    AT_SILKING,
+    CONDITIONS,
+    FIRST,
+    UNITS,
+    Condition,
+    campaign,
+)
 from estimates import (
     Estimate,
     difference,
@@ -55,7 +60,6 @@ from estimates import (
     print_table,
 )
 from libraries import LIBRARIES
-from searches import best_until
 from shared import (
     MAIZE,
     SMALL_FIELD,
@@ -63,7 +67,6 @@ from shared import (
     Numbers,
     best,
     breed_tables,
-    gains_over_baseline,
     guard,
     light,
     parser_of_searches,
@@ -106,9 +109,6 @@ class Found:
     splits: dict[str, list[Split]]
     """The gains with and without other organs; empty if the plants have no
     other organs."""
-    seconds: dict[str, float]
-    """The core-seconds that each search takes to find a plant with 90 % of the
-    largest gain."""
 
 
 def name_of(tables: dict[str, Any], search: str, seed: int) -> str:
@@ -146,18 +146,6 @@ def searched(
         "stop": limits,
     }
     return breed_tables(run, folder)[0]
-
-
-def seconds_until(history: Path, stand: Stand, least: float) -> float:
-    """Returns the core-seconds of all evaluations until the search had found a
-    plant that gains at least `least` [%] when it is re-evaluated; NaN if there
-    is none."""
-    points = best_until(history, list(range(50, 10**6, 50)))
-    gains = gains_over_baseline(stand, [plant for plant, _ in points])
-    for (_, seconds), (mean, _) in zip(points, gains, strict=True):
-        if mean >= least:
-            return seconds
-    return math.nan
 
 
 def splits_of(stand: Stand, genomes: Numbers, values: Numbers) -> list[Split]:
@@ -211,8 +199,6 @@ def find(
     is_percent = has_percent(values[0].tolist())
     gains = compared(values, gain if is_percent else difference)
     splits = dict(zip(keys, splits_of(stand, genomes, values)))
-    least = 0.9 * max(mean for each in gains.values() for mean, _ in each)
-    is_timed = is_percent and tables["name"].endswith(FIRST.name)
     return Found(
         baseline=estimate(values[0].tolist()),
         has_percent=is_percent,
@@ -231,13 +217,6 @@ def find(
             search: [x for (name, _), x in splits.items() if name == search]
             for search in searches
             if splits
-        },
-        seconds={
-            search: seconds_until(
-                searched(tables, search, 1, count, folder), stand, least
-            )
-            for search in searches
-            if is_timed and search not in LIBRARIES
         },
     )
 
@@ -339,23 +318,6 @@ def tell(results: dict[tuple[str, Condition], Found]) -> None:
             )
             by_seed.append([TITLES[objective], *cells])
     print_table(["objective", *searches], by_seed)
-    print(f"\nCore-seconds until 90 % of the largest gain, {FIRST.title}\n")
-    print_table(
-        ["objective", *searches],
-        [
-            [
-                TITLES[objective],
-                *(
-                    f"{found.seconds[x]:.0f}"
-                    if found.seconds.get(x, math.nan) < math.inf
-                    else "not reached"
-                    for x in found.gains
-                ),
-            ]
-            for (objective, where), found in results.items()
-            if where == FIRST
-        ],
-    )
 
 
 def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
@@ -401,7 +363,9 @@ def main() -> None:
     )
     parser.add_argument("--plant", type=Path, default=MAIZE)
     parser.add_argument("--alike", action="store_true")
-    parser.add_argument("--objective", nargs="+", choices=UNITS, default=UNITS)
+    parser.add_argument(
+        "--objective", nargs="+", choices=UNITS, default=AT_SILKING
+    )
     parser.add_argument(
         "--condition", nargs="+", choices=[x.name for x in CONDITIONS]
     )

@@ -140,7 +140,7 @@ def field_of(
         "plant": {"baseline": str(crop), "cells_along": CELLS},
         "traits": [{"name": "turns", "free": [turned(crop)]}],
         "light": {"paths": 16, "randomisations": 2},
-        "search": {"population": 2, "elites": 0},
+        "search": {"optimizer": "ga", "population": 2, "elites": 0},
         "stop": {"generations": 1},
         "final": {"candidates": 1, "paths": 16, "randomisations": 2},
     }

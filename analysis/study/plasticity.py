@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures what changes if plants respond to the density of their stand.
 
-plasticity.py FOLDER [--only PART] [--generations N] [--seeds N] [--rough]
+plasticity.py FOLDER [--only PART] [--evaluations N] [--seeds N] [--rough]
 
     extinction  k at noon, silking, over the 12 densities of Li and others
                 2018 (rows of 0.6 m)
@@ -254,8 +254,7 @@ def campaign(
         "traits": [{"name": "free", "free": free}],
         "plant": {"baseline": crop, "bounds": "breedable"},
         "objective": {"maximise": "carbon_balance", "over": ["spacing"]},
-        "search": {"optimizer": "cma_es", "population": 20},
-        "stop": {"generations": options.generations},
+        "stop": {"evaluations": options.evaluations},
         **(ROUGH if options.rough else {}),
     }
 
@@ -349,8 +348,7 @@ def in_narrow_rows(
         "spacing": [{"row": 15 * INCH, "plant": inches * INCH}],
         "plant": {"baseline": crop, "bounds": "breedable"},
         "objective": {"maximise": objective},
-        "search": {"optimizer": "cma_es", "population": 20},
-        "stop": {"generations": options.generations},
+        "stop": {"evaluations": options.evaluations},
         **(ROUGH if options.rough else {}),
     }
 
@@ -392,7 +390,7 @@ def narrow(options: argparse.Namespace) -> None:
 
 def main() -> None:
     run_parts(
-        parser_of_searches(__doc__, generations=40, seeds=1),
+        parser_of_searches(__doc__, evaluations=800, seeds=1),
         {
             "extinction": extinction,
             "erect": erect,

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures the cost of one plant for five sites.
 
-robust.py FOLDER [--figure FILE.png] [--latitudes N...] [--generations N]
+robust.py FOLDER [--figure FILE.png] [--latitudes N...] [--evaluations N]
           [--seeds N] [--growing] [--rough]
 
 Optimises crops/maize.toml for the carbon balance of a season at each latitude
@@ -83,8 +83,7 @@ def campaign(
         "replicates": options.seeds,
         "site": places,
         "objective": {"maximise": "carbon_balance", "over": ["site"]},
-        "search": {"optimizer": "cma_es", "population": 20},
-        "stop": {"generations": options.generations},
+        "stop": {"evaluations": options.evaluations},
         **(ROUGH if options.rough else {}),
     }
 
@@ -162,7 +161,7 @@ def draw(found: Matrix, latitudes: Sequence[float], path: Path) -> None:
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, has_figure=True, has_growth=True, generations=40, seeds=1
+        __doc__, has_figure=True, has_growth=True, evaluations=800, seeds=1
     )
     parser.add_argument(
         "--latitudes", nargs="+", type=float, default=LATITUDES

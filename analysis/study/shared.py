@@ -69,19 +69,9 @@ TITLES = {
     "absorbed_par": "absorbed PAR, clear day",
     "net_assimilation": "net assimilation, clear day",
     "carbon_balance": "carbon balance, season",
+    "grain_yield": "grain, growing season",
 }
 """The titles of objectives, with the light under which each is evaluated."""
-
-#: The tolerances of light in the campaigns of this project in version 0.3.0,
-#: and the default of other campaigns. The tables of docs/results were computed
-#: with them; current campaigns use 0.005.
-FORMER_TOLERANCES = {
-    "ames_quick": 0.01,
-    "quickstart": 0.01,
-    "atlas": 0.012,
-    "isolated_plot": 0.02,
-}
-FORMER_TOLERANCE = 0.008
 
 #: The light of tests: evaluations take milliseconds, with errors of several
 #: per cent.
@@ -196,28 +186,10 @@ def say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def with_former_defaults(tables: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns a campaign with the tolerance of light and the optimizer that
-    were the defaults of version 0.3.0, unless it sets them."""
-    light = dict(tables.get("light", {}))
-    if not light.keys() & {"tolerance", "paths"}:
-        light["tolerance"] = FORMER_TOLERANCE
-    search = {"optimizer": "ga", **tables.get("search", {})}
-    return {**tables, "light": light, "search": search}
-
-
-def former_tolerance(campaign: Path) -> float | None:
-    """Returns the tolerance that a campaign of this project had in version
-    0.3.0; None for other campaigns."""
-    if campaign.resolve().parent != CAMPAIGNS.resolve():
-        return None
-    return FORMER_TOLERANCES.get(campaign.stem, FORMER_TOLERANCE)
-
-
 def campaign_of(campaign: str | Path, **tables: Any) -> dict[str, Any]:
     """Returns the tables of a campaign file, or of a campaign of this project
-    by name, with the accuracy of version 0.3.0. `tables` replace some of them.
-    Paths in the result are valid in any folder."""
+    by name. `tables` replace some of them. Paths in the result are valid in
+    any folder."""
     path = (
         campaign
         if isinstance(campaign, Path)
@@ -228,9 +200,7 @@ def campaign_of(campaign: str | Path, **tables: Any) -> dict[str, Any]:
     for part in (*parts, *found.get("climate", [])):
         for key in {"baseline", "crop", "file", "mesh"} & part.keys():
             part[key] = str((path.parent / part[key]).resolve())
-    if (tolerance := former_tolerance(path)) is not None:
-        found["light"] = {**found.get("light", {}), "tolerance": tolerance}
-    return with_former_defaults(found | tables)
+    return found | tables
 
 
 def run_program(
@@ -258,17 +228,14 @@ def breed(
 ) -> list[Path]:
     """Runs a campaign and returns the histories of all cases and seeds, in a
     folder with the name of the campaign. Finished histories are kept,
-    interrupted ones are resumed. `verb` may be "sensitivity". Campaigns of
-    this project have the accuracy of version 0.3.0.
+    interrupted ones are resumed. `verb` may be "sensitivity".
 
     IDEOTYPE_EXECUTABLE names the program; the default is `ideotype` on
     PATH."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
     words = [program, verb, str(campaign), "--resume"]
     words += ["--out", str(out)]
-    tolerance = former_tolerance(campaign)
-    former = [] if tolerance is None else [f"light.tolerance={tolerance}"]
-    for key in (f"name={name}", *former, *settings):
+    for key in (f"name={name}", *settings):
         words += ["--set", key]
     run_program(words, stderr=subprocess.PIPE).check_returncode()
     return sorted((out / name).glob("*.h5"))
@@ -324,8 +291,7 @@ def breed_tables(
     """Writes a campaign to a file of this folder, runs it and returns its
     histories."""
     path = folder / f"{tables['name']}.toml"
-    text = tomli_w.dumps(with_former_defaults(tables))
-    path.write_text(text, encoding="utf-8")
+    path.write_text(tomli_w.dumps(tables), encoding="utf-8")
     return breed(path, tables["name"], [], folder, verb)
 
 

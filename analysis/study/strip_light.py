@@ -29,7 +29,7 @@ import numpy as np
 import pandas as pd
 import tomli_w
 from estimates import Estimate, plus_minus, print_table
-from shared import CAMPAIGNS, FORMER_TOLERANCE, MAIZE, guard, parser_of
+from shared import CAMPAIGNS, MAIZE, guard, parser_of
 
 from ideotype import Stand
 
@@ -75,7 +75,7 @@ class Strips:
 
     def __init__(self, folder: Path, rough: bool) -> None:
         self._folder = folder
-        accuracy = {"tolerance": FORMER_TOLERANCE, "randomisations": 32}
+        accuracy = {"randomisations": 32}
         self._points = 512
         if rough:
             accuracy = {"paths": 2048, "randomisations": 4}

@@ -24,7 +24,7 @@ PARTS = {
         ("interventions.py", "{folder}"),
         (
             *("--rough", "--fields", "4"),
-            *("--generations", "3", "--seeds", "2"),
+            *("--evaluations", "72", "--seeds", "2"),
         ),
     ),
     "paper_table": Part(
@@ -40,6 +40,18 @@ PARTS = {
             *("--evaluations", "20", "--seeds", "1"),
         ),
     ),
+    "paper_grain": Part(
+        "How much grain can breeding gain?",
+        (
+            *("paper_table.py", "{folder}"),
+            *("--objective", "grain_yield", "--evaluations", "1000"),
+            *("--condition", "all", "7", "56p2", "15x6", "30x3"),
+        ),
+        (
+            *("--rough", "--condition", "all"),
+            *("--evaluations", "20", "--seeds", "1"),
+        ),
+    ),
     "plants_differ": Part(
         "Does the search need within-line variation?",
         ("plants_differ.py", "--figure", "{figures}/plants_differ.png"),
@@ -48,7 +60,7 @@ PARTS = {
     "feasible": Part(
         "What does it cost to stay within measured maize lines?",
         ("feasible.py", "{folder}"),
-        ("--rough", "--generations", "2"),
+        ("--rough", "--evaluations", "48"),
     ),
     "validation": Part(
         "Do the numbers agree with the field?",
@@ -68,12 +80,12 @@ PARTS = {
     "densities": Part(
         "What does one plant for several densities cost?",
         ("plasticity.py", "{folder}", "--only", "densities", "--seeds", "3"),
-        ("--rough", "--generations", "2", "--seeds", "1"),
+        ("--rough", "--evaluations", "40", "--seeds", "1"),
     ),
     "narrow_plastic": Part(
         "What do plants that respond to density gain in narrow rows?",
         ("plasticity.py", "{folder}", "--only", "narrow", "--seeds", "3"),
-        ("--rough", "--generations", "2", "--seeds", "1"),
+        ("--rough", "--evaluations", "40", "--seeds", "1"),
     ),
     "erect_tops": Part(
         "When does an erect top pay?",
@@ -85,7 +97,7 @@ PARTS = {
         (
             *("--rough", "--light", "clear", "--limit", "area"),
             *("--densities", "4", "20", "--latitudes", "42"),
-            *("--generations", "6", "--seeds", "2"),
+            *("--evaluations", "120", "--seeds", "2"),
         ),
     ),
     "claims": Part(
@@ -104,13 +116,13 @@ PARTS = {
         ),
         (
             *("--rough", "--only", "absorbed_par", "--samples", "4"),
-            *("--generations", "2", "--seeds", "1", "--draws", "2"),
+            *("--evaluations", "40", "--seeds", "1", "--draws", "2"),
         ),
     ),
     "robust": Part(
         "Does one plant suit five latitudes?",
         ("robust.py", "{folder}", "--figure", "{figures}/robust.png"),
-        ("--rough", "--latitudes", "7", "56.2", "--generations", "1"),
+        ("--rough", "--latitudes", "7", "56.2", "--evaluations", "20"),
     ),
     "front": Part(
         "How much leaf area does a season's carbon need?",
@@ -119,17 +131,17 @@ PARTS = {
     ),
     "robust_growing": Part(
         "Does one plant suit five latitudes where plants grow?",
-        ("robust.py", "{folder}", "--growing", "--generations", "20"),
-        ("--rough", "--latitudes", "7", "56.2", "--generations", "1"),
+        ("robust.py", "{folder}", "--growing", "--evaluations", "400"),
+        ("--rough", "--latitudes", "7", "56.2", "--evaluations", "20"),
     ),
     "traits_growing": Part(
         "Which traits matter where plants grow?",
         (
             *("what_matters.py", "{folder}", "--growing"),
             *("--only", "carbon_balance", "--samples", "256"),
-            *("--generations", "20"),
+            *("--evaluations", "400"),
         ),
-        ("--rough", "--samples", "4", "--generations", "1", "--seeds", "1"),
+        ("--rough", "--samples", "4", "--evaluations", "20", "--seeds", "1"),
     ),
     "front_growing": Part(
         "How much leaf area does the carbon of a growing season need?",
@@ -152,9 +164,9 @@ PARTS = {
         "Does more carbon need more water?",
         (
             *("water_bred.py", "{folder}"),
-            *("--generations", "12", "--seeds", "4"),
+            *("--evaluations", "300", "--seeds", "4"),
         ),
-        ("--rough", "--only", "strip", "--generations", "1", "--seeds", "1"),
+        ("--rough", "--only", "strip", "--evaluations", "12", "--seeds", "1"),
     ),
     "grain_ames": Part(
         "How much grain does a rain-fed field bear?",
@@ -169,7 +181,7 @@ PARTS = {
     "growth_best": Part(
         "Does the search need plant growth?",
         ("growth_maps.py", "{folder}", "--only", "best", "--seeds", "6"),
-        ("--rough", "--generations", "1", "--seeds", "1"),
+        ("--rough", "--evaluations", "20", "--seeds", "1"),
     ),
     "growth_tops": Part(
         "When does an erect top pay where plants grow?",
@@ -179,7 +191,7 @@ PARTS = {
         ),
         (
             *("--rough", "--densities", "8"),
-            *("--generations", "8", "--seeds", "1"),
+            *("--evaluations", "160", "--seeds", "1"),
         ),
     ),
     "seasons": Part(
@@ -191,18 +203,18 @@ PARTS = {
         "Do strips of maize and soybean save land?",
         (
             *("neighbours.py", "{folder}", "--only", "strips"),
-            *("--generations", "20", "--seeds", "4"),
+            *("--evaluations", "480", "--seeds", "4"),
             *("--figure", "{figures}/strip_rows.png"),
         ),
-        ("--rough", "--generations", "1", "--seeds", "1"),
+        ("--rough", "--evaluations", "24", "--seeds", "1"),
     ),
     "invaders": Part(
         "Does a plant that outcompetes its neighbours make a good stand?",
         (
             *("neighbours.py", "{folder}", "--only", "invaders"),
-            *("--generations", "20", "--seeds", "4"),
+            *("--evaluations", "480", "--seeds", "4"),
         ),
-        ("--rough", "--generations", "1", "--seeds", "1"),
+        ("--rough", "--evaluations", "24", "--seeds", "1"),
     ),
     "panels_measured": Part(
         "Does the light on modules agree with measurements?",

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Optimises maize with exchange of water, with and without a limit of water.
 
-water_bred.py FOLDER [--only KIND] [--generations N] [--seeds N] [--rough]
+water_bred.py FOLDER [--only KIND] [--evaluations N] [--seeds N] [--rough]
 
 Optimises maize for the carbon of a growing season at Bondville, of the mild year 2011 and of the
 drought of 2012, and for the net assimilation of a hot week in strips with soybean and below rows
@@ -85,9 +85,8 @@ def tables_of(kind: str, options: Any) -> dict[str, Any]:
     found = KINDS[kind]() | {
         "name": f"water_{kind}",
         "water": {},
-        "search": {"optimizer": "cma_es", "population": 12},
         "replicates": options.seeds,
-        "stop": {"generations": options.generations},
+        "stop": {"evaluations": options.evaluations},
     }
     return {**found, **(ROUGH if options.rough else {})}
 
@@ -130,7 +129,7 @@ def print_other_year(
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=6, seeds=2)
+    parser = parser_of_searches(__doc__, evaluations=72, seeds=2)
     parser.add_argument("--only", choices=KINDS)
     options = parser.parse_args()
     rows: list[list[str]] = []

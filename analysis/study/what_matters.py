@@ -3,7 +3,7 @@
 """Measures which traits matter for three objectives.
 
 what_matters.py FOLDER [--figure FILE.png] [--only OBJECTIVE...] [--samples N]
-                [--generations N] [--seeds N] [--draws N] [--rough]
+                [--evaluations N] [--seeds N] [--draws N] [--rough]
 
 Objectives are absorbed PAR and net assimilation on the clear day of ames.toml,
 and the carbon balance of the season of bondville.toml. Traits are those that a
@@ -206,8 +206,7 @@ def bred(tables: dict[str, Any], options: argparse.Namespace) -> list[Numbers]:
     search = {
         **tables,
         "replicates": options.seeds,
-        "search": {"optimizer": "cma_es", "population": 20},
-        "stop": {"generations": options.generations},
+        "stop": {"evaluations": options.evaluations},
     }
     return best_plants(search, options.folder)
 
@@ -343,7 +342,7 @@ def main() -> None:
         has_figure=True,
         has_growth=True,
         samples=256,
-        generations=60,
+        evaluations=1200,
         seeds=2,
         draws=8,
     )

@@ -499,7 +499,7 @@ def test_drought_costs_grain(tmp_path: Path) -> None:
 def test_searches_of_choices_are_compared_with_enumeration(
     tmp_path: Path,
 ) -> None:
-    words = tmp_path, "--rough", "--seeds", 1, "--generations", 4
+    words = tmp_path, "--rough", "--seeds", 1, "--evaluations", 48
     table = run("mixed.py", *words)
     assert table.count("| enumeration, ") == 12
     assert re.search(r"(?m)^\| search 1 \| \d+ \| 0.\d+ m, ", table)

@@ -111,6 +111,9 @@ class History {
     //! Reads only the header, and verifies its checksum.
     static HistoryHeader header_of(const std::string& path);
 
+    //! Reads only whether the case is finished.
+    static bool is_finished(const std::string& path);
+
     //! Opens a file like read(), even if it was truncated. In that case only
     //! header(), next_generation(), rows(), generation() and summaries() are
     //! valid, and a generation counts if candidates, objectives and violations

@@ -55,6 +55,12 @@ HistoryHeader History::header_of(const std::string& path) {
     });
 }
 
+bool History::is_finished(const std::string& path) {
+    return add_path_to_errors(path, [&] {
+        return Journal(open_as_it_is(path)).finished().has_value();
+    });
+}
+
 Verified verify_file(const std::string& path) {
     const History history = History::read(path);
     // Verify the checksums of compressed blocks by reading them.

@@ -30,13 +30,25 @@ Cases chosen_cases(const RunOptions& options, const Campaign& campaign) {
                : campaign_cases;
 }
 
+//! Returns whether the histories of all cases exist and are finished.
+bool are_finished(const RunOptions& options, const Campaign& campaign,
+                  const Cases& chosen) {
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const std::string path = path_of(options.out, campaign, chosen.name(i));
+        if (!history_exists(path) || !History::is_finished(path)) return false;
+    }
+    return true;
+}
+
 //! Returns the instruction set of the histories to resume, or nothing if there
 //! are none. With the same instruction set, results stay bit-identical. Refuses
-//! to overwrite a history.
+//! to overwrite a history. If all cases are finished, only a change of the
+//! campaign is refused: no result can change any more.
 std::optional<std::string> isa_of_histories(const RunOptions& options,
                                             const Campaign& campaign,
                                             const Cases& chosen) {
     std::optional<std::string> common;
+    const bool has_work = !are_finished(options, campaign, chosen);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const std::string path = path_of(options.out, campaign, chosen.name(i));
         if (!history_exists(path)) continue;
@@ -47,6 +59,10 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
                                     path),
                         ExitCode::refused);
         const HistoryHeader header = History::header_of(path);
+        if (!has_work) {
+            require_same_campaign(header, campaign, chosen[i], path);
+            continue;
+        }
         require_resumable(header, campaign, chosen[i], path);
         const std::string& isa = header.text.at("isa");
         if (options.isa && isa != *options.isa)

@@ -188,6 +188,10 @@ History Sweep::open_history(const Case& chosen) const {
 History Sweep::resume_history(const Case& chosen,
                               const std::string& path) const {
     History history = History::resume(path);
+    if (history.finished()) {
+        require_same_campaign(history.header(), campaign_, chosen, path);
+        return history;
+    }
     require_resumable(history.header(), campaign_, chosen, path);
     const std::string& isa = history.header().text.at("isa");
     if (isa != isa_)

@@ -11,6 +11,18 @@ maths=$(history_of run maths)
 expect 0 "$ideotype" run campaigns/maths.toml --out run
 expect 0 "$ideotype" run campaigns/maths.toml --out run --resume
 
+# begin OUT [OPTION...]: begins a long run and stops it.
+write_campaign begun 12 300
+begin() {
+    "$ideotype" run campaigns/begun.toml --out "$@" >begun.log 2>&1 &
+    local job=$!
+    until grep -q "generation 2," begun.log; do sleep 0.05; done
+    kill -TERM $job
+    wait $job || true
+}
+begin run
+begun=$(history_of run begun)
+
 # The C library's variants for processors with fused multiply-add and without
 # differ in last bits.
 # shellcheck disable=SC2054  # the comma is of the variable
@@ -20,8 +32,10 @@ if [ "$("$ideotype" --version | grep maths)" = \
     grep -qw fma /proc/cpuinfo && fail "the maths of both variants look alike"
     echo "NO FUSED MULTIPLY-ADD HERE: OTHER MATHS ARE NOT TESTED" >&2
 else
-    expect 4 "${plain[@]}" "$ideotype" run campaigns/maths.toml --out run --resume
-    says "$maths: .*would not continue this history with the same bits"
+    expect 0 "${plain[@]}" "$ideotype" run campaigns/maths.toml --out run --resume
+    says "finished before"
+    expect 4 "${plain[@]}" "$ideotype" run campaigns/begun.toml --out run --resume
+    says "$begun: .*would not continue this history with the same bits"
     says "maths was [0-9a-f]*, is [0-9a-f]*"
     says "another folder with --out"
     # A job does not start if its ranks differ.
@@ -43,7 +57,8 @@ fi
 expect 0 "$ideotype" run campaigns/maths.toml --out sse2 --isa sse2
 h5dump -a isa "$(history_of sse2 maths)" | grep -q '"sse2"' || fail "no sse2"
 expect 0 "$ideotype" run campaigns/maths.toml --out sse2 --resume
-expect 4 "$ideotype" run campaigns/maths.toml --out sse2 --resume --isa sse4.2
+begin sse2 --isa sse2
+expect 4 "$ideotype" run campaigns/begun.toml --out sse2 --resume --isa sse4.2
 says "was begun with instruction set sse2, not sse4.2; leave --isa out"
 expect 2 "$ideotype" run campaigns/maths.toml --out sse3 --isa sse3
 
@@ -53,7 +68,7 @@ h5dump -a isa "$(history_of mixed maths)" | grep -q '"sse2"' ||
     fail "the ranks did not agree on sse2"
 same_results "$(history_of sse2 maths)" "$(history_of mixed maths)"
 if ! h5dump -a isa "$maths" | grep -q '"sse2"'; then
-    expect 4 mpirun -n 3 "$mixed_cluster" campaigns/maths.toml run 1
+    expect 4 mpirun -n 3 "$mixed_cluster" campaigns/begun.toml run 1
     says "narrow has no instruction set .* (it has sse2); this history was"
 fi
 

@@ -149,7 +149,7 @@ def sentence(
             )
             for values in runs
         ]
-        return judge_convergence(case, made)
+        return str(judge_convergence(case, made))
 
 
 def test_the_verdict_states_the_possible_gain(tmp_path: Path) -> None:

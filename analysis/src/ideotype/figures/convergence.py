@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import pandas
@@ -34,6 +35,20 @@ _WITHOUT_LEARNING = ("random", "sobol")
 """Optimisers that sample plants independently of earlier plants."""
 
 
+@dataclass(frozen=True)
+class Verdict:
+    """Whether searches have converged, with the reason in words."""
+
+    end: End
+    reason: str
+    left: float | None = None
+    """What as many further evaluations of `auto` gain at most, in 90 % of
+    searches [% of the baseline]; None if no bound is known."""
+
+    def __str__(self) -> str:
+        return f"{self.end.value.capitalize()}: {self.reason}."
+
+
 def draw_convergence(case: Case) -> Figure:
     """Draws the first objective by generation, numbered from 0 as in the file,
     with the baseline and the re-evaluated best plant. A single seed is shown
@@ -58,31 +73,34 @@ def draw_convergence(case: Case) -> Figure:
     axes.set_xlabel("generation")
     _set_ticks(axes, count, case.is_final)
     figure.legend(loc="outside lower center", ncols=1)
-    set_answer(figure, judge_convergence(case, runs))
+    set_answer(figure, str(judge_convergence(case, runs)))
     return figure
 
 
-def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
-    """States whether the searches of a case have converged, from the expected
+def judge_convergence(case: Case, runs: Sequence[Generations]) -> Verdict:
+    """Judges whether the searches of a case have converged, from the expected
     gain of as many further generations."""
     optimizer = case.resolved.get("search", {}).get("optimizer", "")
     if optimizer in _WITHOUT_LEARNING:
-        return (
-            "Unknown: this search samples plants without learning, so that its "
-            "populations have no trend."
+        return Verdict(
+            End.UNKNOWN,
+            "this search samples plants without learning, so that its "
+            "populations have no trend",
         )
     if len(case.histories[0].objectives) > 1:
-        return (
-            "Unknown from one of several objectives; the hypervolume of the "
-            "Pareto front shows progress in all of them."
+        return Verdict(
+            End.UNKNOWN,
+            "one of several objectives does not show it; the hypervolume of the "
+            "Pareto front shows progress in all of them",
         )
     scale = _scale(case, runs)
     sign = case.histories[0].objectives[0].sign
     further = further_gain([run.mean.values for run in runs], sign)
     if further is None or not scale > 0:
-        return (
-            f"Unknown: {_count(runs)} generations are too few; at least "
-            f"{2 * LEAST - 1} are needed."
+        return Verdict(
+            End.UNKNOWN,
+            f"{_count(runs)} generations are too few; at least "
+            f"{2 * LEAST - 1} are needed",
         )
     low, mean, high = (
         100 * x / scale for x in (further.low, further.mean, further.high)
@@ -94,7 +112,7 @@ def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
     try:
         left = _most_gain_left(runs, sign) if optimizer == "auto" else None
     except NotCompiled as reason:
-        return f"Unknown: {reason}."
+        return Verdict(End.UNKNOWN, str(reason))
     if left is not None:
         left *= 100 / scale
         evaluations = describe_span([int(x.evaluations.sum()) for x in runs])
@@ -111,23 +129,28 @@ def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
         "confidence interval)"
     )
     if end is End.NO:
-        return f"No: {again}."
+        return Verdict(end, again, left)
     if optimizer == "auto" and left is None:
-        return (
-            f"Unknown: after so few evaluations the further gain of this "
-            f"optimiser has no tested bound; {again}."
+        return Verdict(
+            End.UNKNOWN,
+            "after so few evaluations the further gain of this optimiser has "
+            f"no tested bound; {again}",
         )
     if searches_differ(gains, matters):
         least, most = (f(x.mean for x in gains) for f in (min, max))
-        return (
-            f"Unknown: the searches gained {least:.1f} to {most:.1f} %, which "
-            f"differ by more than their errors; {again}."
+        return Verdict(
+            End.UNKNOWN,
+            f"the searches gained {least:.1f} to {most:.1f} %, which differ by "
+            f"more than their errors; {again}",
+            left,
         )
     if end is End.UNKNOWN:
-        return f"Unknown: {again}."
-    return (
-        f"Yes: {again}; less than {matters:.1f} % counts as converged. A better "
-        "plant elsewhere in the design space is not excluded."
+        return Verdict(end, again, left)
+    return Verdict(
+        end,
+        f"{again}; less than {matters:.1f} % counts as converged. A better "
+        "plant elsewhere in the design space is not excluded",
+        left,
     )
 
 

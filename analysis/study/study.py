@@ -12,6 +12,16 @@ interrupted ones resume. The table replaces the text between
     <!-- end of study -->
 
 on the page that has these marks, one of PAGES/*.md (docs/results by default).
+A sentence below each table states how many of its searches have converged, and
+which traits of their best plants are at a bound.
+
+A paragraph of a page may name a cause only if this page shows an intervention:
+a table in which this cause alone was changed, after a mark with its name,
+
+    <!-- intervention: height -->
+
+or if it links to such a page. Otherwise the script fails.
+
 With --check the pages stay unchanged, and the script fails if a number on them
 differs from the histories. The last digit of a number after ± may differ by
 one, since some intervals were computed from rounded standard errors.
@@ -32,13 +42,20 @@ import re
 import subprocess
 import sys
 import time
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import median
+from textwrap import shorten
 
 from shared import CAMPAIGNS, guard, parser_of, run_program
 from study_parts import PARTS
 
 import ideotype
+from ideotype.figures.convergence import judge_convergence
+from ideotype.history import Case
+from ideotype.history.bounds import bounds_in_words
+from ideotype.history.trend import End
 
 HERE = Path(__file__).parent
 PAGES = CAMPAIGNS.parent / "docs" / "results"
@@ -56,10 +73,73 @@ def table_of(name: str, folder: Path, figures: Path, is_short: bool) -> str:
     )
     if done.returncode != 0:
         raise SystemExit(f"{name}: {words[0]} ended with {done.returncode}")
-    return done.stdout.strip()
+    return "\n\n".join([done.stdout.strip(), *say_searches(folder / name)])
+
+
+def say_searches(folder: Path) -> list[str]:
+    """States for the searches in a folder whether they have converged, and
+    which traits are at a bound. Searches for several objectives, or for many
+    types of plants, have no single best plant and are left out."""
+    if not any(folder.rglob("*.h5")):
+        return []
+    with ideotype.open_study(folder) as study:
+        searches = [
+            Case(history.path.stem, [history])
+            for history in study
+            if not history.is_sensitivity
+            and len(history.objectives) == 1
+            and history.generations()
+        ]
+        verdicts = [
+            judge_convergence(case, [case.histories[0].generations()])
+            for case in searches
+        ]
+        bounds = bounds_in_words(searches)
+    if not searches:
+        return []
+    count = Counter(verdict.end for verdict in verdicts)
+    text = f"Searches: {len(searches)}. Converged: " + ", ".join(
+        f"{end.value} {count[end]}" for end in End
+    )
+    left = [x.left for x in verdicts if x.left is not None]
+    if left:
+        text += (
+            "; as many further evaluations gain at most "
+            f"{median(left):.1f} % of the baseline more, in 90 % of searches "
+            f"(median of {len(left)} by `auto`)"
+        )
+    return [f"{text}. At a bound: {bounds or 'no trait'}."]
 
 
 END = "<!-- end of study -->"
+
+CAUSE = re.compile(
+    r"\b(because|due to|owing to|caus(e|es|ed|ing)|explain(s|ed)?)\b",
+    re.IGNORECASE,
+)
+INTERVENTION = re.compile(r"<!-- intervention: [^>]+ -->\n+(\||<!-- study: )")
+PARAGRAPH = re.compile(r"\n\n|\n(?=\* |\|)")
+
+
+def causes_without_intervention(pages: Path) -> list[str]:
+    """Lists the paragraphs that name a cause, on pages that neither show an
+    intervention nor link in this paragraph to one that does."""
+    texts = {
+        page.name: page.read_text(encoding="utf-8")
+        for page in sorted(pages.glob("*.md"))
+    }
+    shown = {name for name, text in texts.items() if INTERVENTION.search(text)}
+    return [
+        f'{pages / name}: "{shorten(paragraph, 60)}" names a '
+        "cause, but no intervention shows it; put <!-- intervention: NAME --> "
+        "before a table in which it alone was changed, link to such a page, or "
+        "say it without a cause"
+        for name, text in texts.items()
+        if name not in shown
+        for paragraph in PARAGRAPH.split(text)
+        if CAUSE.search(paragraph)
+        and not shown & set(re.findall(r"\((\w+\.md)", paragraph))
+    ]
 
 
 def block(place: str) -> re.Pattern[str]:
@@ -196,7 +276,7 @@ def main() -> None:
         name: find_quotation(options.results, place)
         for name, place in places.items()
     }
-    wrong = []
+    wrong = causes_without_intervention(options.results)
     for name, place in places.items():
         (folder / name).mkdir(parents=True, exist_ok=True)
         begin = time.monotonic()

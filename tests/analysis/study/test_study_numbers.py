@@ -206,3 +206,27 @@ def test_the_sign_of_the_height_effect_agrees_with_interventions() -> None:
         "Shorter plants gain with other organs, and lose with leaves alone"
         in text
     )
+
+
+def test_a_cause_needs_an_intervention(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = module("study", monkeypatch)
+    found = study.causes_without_intervention
+    assert found(STUDY.parents[1] / "docs" / "results") == []
+
+    cause = "# Height\n\nPlants gain because they are short.\n"
+    (tmp_path / "height.md").write_text(cause)
+    (message,) = found(tmp_path)
+    assert 'height.md: "Plants gain because they are short."' in message
+    # A page with such a table may be linked from the paragraph.
+    table = "\n<!-- intervention: height -->\n\n| height |\n|---|\n"
+    (tmp_path / "other.md").write_text(table)
+    assert len(found(tmp_path)) == 1
+    linked = cause.replace("short.", "short ([table](other.md#height)).")
+    (tmp_path / "height.md").write_text(linked)
+    assert found(tmp_path) == []
+    (tmp_path / "other.md").write_text(table.replace("| height |", "none"))
+    assert len(found(tmp_path)) == 1
+    (tmp_path / "height.md").write_text(cause + table)
+    assert found(tmp_path) == []

@@ -27,6 +27,15 @@ def test_numbers_without_support_in_histories_are_found(
     row = re.search(r"\| clear \| area \| 42 \| ([+-][\d.]+) ±", text)
     assert row is not None
     assert re.search(r"\d of 1\d facts pass", text)
+    # A sentence below the table of each part with searches for one best plant.
+    stated = re.findall(
+        r"(?m)^Searches: (\d+)\. Converged: yes (\d+), no (\d+), unknown "
+        r"(\d+).*\. At a bound: .+\.$",
+        text,
+    )
+    assert len(stated) > 5, text
+    for total, *verdicts in stated:
+        assert int(total) == sum(map(int, verdicts)) > 0
 
     again = run(tmp_path, "--only", "erect_tops", "--check")
     assert again.returncode == 0, again.stderr

@@ -35,7 +35,15 @@ import numpy as np
 import pandas as pd
 from estimates import print_table
 from scipy.special import stdtrit
-from shared import CAMPAIGNS, best, breed, folder_at, guard, parser_of
+from shared import (
+    CAMPAIGNS,
+    best,
+    breed,
+    folder_at,
+    guard,
+    parser_of,
+    say,
+)
 
 from ideotype import Stand, open_history
 from ideotype.calibration import (
@@ -395,7 +403,7 @@ def show_bred(folder: Path, generations: int, draws: int, seeds: int) -> None:
     middle = values_at(parameters, np.zeros((1, len(parameters))))
     ways = {"middle": (middle, "mean"), "mean": (used, "mean"),
             "worst": (used, "worst")}  # fmt: skip
-    plants, spent = {}, {}
+    plants = {}
     for name, (points, rule) in ways.items():
         path = write_robust(folder / f"{name}.toml", parameters, points)
         settings = {
@@ -406,7 +414,8 @@ def show_bred(folder: Path, generations: int, draws: int, seeds: int) -> None:
             path, f"bred_{name}", format_settings(settings), folder
         )
         plants[name] = [best(history) for history in histories]
-        spent[name] = np.mean([seconds_of(history) for history in histories])
+        seconds = np.mean([seconds_of(history) for history in histories])
+        say(f"{name}: {seconds:.0f} CPU-s for each search")
     for title, points in (("the same draws", used), ("other draws", new)):
         stand = Stand.from_campaign(
             write_robust(folder / "judged.toml", parameters, points),
@@ -425,7 +434,7 @@ def show_bred(folder: Path, generations: int, draws: int, seeds: int) -> None:
         }
         print(f"{title} ({seeds} searches each)")
         print_table(
-            ["bred over", *of_draws, "CPU s"],
+            ["bred over", *of_draws],
             [
                 [
                     name,
@@ -433,7 +442,6 @@ def show_bred(folder: Path, generations: int, draws: int, seeds: int) -> None:
                         plus_minus_of(x.reshape(len(ways), seeds)[i])
                         for x in of_draws.values()
                     ),
-                    f"{spent[name]:.0f}",
                 ]
                 for i, name in enumerate(ways)
             ],
@@ -441,7 +449,7 @@ def show_bred(folder: Path, generations: int, draws: int, seeds: int) -> None:
         by_way = of_draws["mean gain [%]"].reshape(len(ways), seeds)
         print(
             "mean over draws less middle, paired by the seed: "
-            f"{plus_minus_of(by_way[1] - by_way[0])}"
+            f"{plus_minus_of(by_way[1] - by_way[0])}\n"
         )
 
 

@@ -3,7 +3,8 @@
 """Computes by which traits, and how fast, 281 inbred lines approach an
 ideotype.
 
-select_panel.py FOLDER [--only carbon|grain|faults] [--rough]
+select_panel.py FOLDER [--only carbon|grain|faults] [--evaluations N]
+                [--rough]
 
 Lines with the means and covariances of campaigns/lines/maize_panel.toml stand
 at 7 and 12 plants m-2 in the season of quickstart.toml (net carbon balance),
@@ -12,8 +13,7 @@ hybrid of the campaign instead of around their own mean. 40 lines are tested
 in nine plots each and four are selected, for five cycles: by yield
 (heritability of a plot 0.12, of the mean 0.55), by the index of the gradient,
 and by genomic prediction. SIZES are the numbers of programmes. A search over
-both densities gives the ideotype. Prints one table for each question, with
-the processor time of evaluations that the folder did not have yet. `faults`
+both densities gives the ideotype. Prints one table for each question. `faults`
 prints the messages for a made trial of 40 lines with faults. ± is half of a
 95 % interval. --rough is for tests.
 """
@@ -29,7 +29,14 @@ from time import process_time
 
 import pandas as pd
 from estimates import plus_minus, print_table
-from shared import CAMPAIGNS, breed, guard, parser_of_searches, run_parts
+from shared import (
+    CAMPAIGNS,
+    breed,
+    guard,
+    parser_of_searches,
+    run_parts,
+    say,
+)
 
 import ideotype
 from ideotype.common.settings import format_settings
@@ -76,8 +83,8 @@ def ideotype_of(
         *keys,
         'objective.over=["spacing"]',
         "replicates=1",
-        "search.population=24",
-        f"stop.generations={4 if options.rough else options.generations}",
+        "search={}",
+        f"stop={{evaluations={96 if options.rough else options.evaluations}}}",
     ]
     return breed(campaign, f"select_{goal}", settings, options.folder)[0]
 
@@ -109,8 +116,8 @@ def study(goal: str, options: argparse.Namespace) -> None:
     write_selection(done, folder)
     print_all(goal, done)
     usage = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000
-    print(
-        f"\n{len(store)} evaluations, {process_time() - before:.0f} CPU-s "
+    say(
+        f"{len(store)} evaluations, {process_time() - before:.0f} CPU-s "
         f"(without the search), {usage:.0f} MB; tables in {folder}"
     )
 
@@ -208,7 +215,7 @@ def faults(options: argparse.Namespace) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=30)
+    parser = parser_of_searches(__doc__, evaluations=720)
     run_parts(parser, {"carbon": carbon, "grain": grain, "faults": faults})
 
 

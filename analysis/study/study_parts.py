@@ -119,6 +119,26 @@ PARTS = {
             *("--evaluations", "40", "--seeds", "1", "--draws", "2"),
         ),
     ),
+    "physiology": Part(
+        "Do traits of architecture matter beside those of physiology?",
+        ("physiology.py", "{folder}"),
+        ("--rough", "--samples", "4"),
+    ),
+    "selection_grain": Part(
+        "What grain does selection among lines reach in five cycles?",
+        ("select_panel.py", "{folder}", "--only", "grain"),
+        ("--rough",),
+    ),
+    "selection_carbon": Part(
+        "What carbon does selection among lines reach in five cycles?",
+        ("select_panel.py", "{folder}", "--only", "carbon"),
+        ("--rough",),
+    ),
+    "over_draws": Part(
+        "Does a plant bred over draws of uncertain parameters do better?",
+        ("calibration.py", "{folder}", "--only", "bred"),
+        ("--rough",),
+    ),
     "robust": Part(
         "Does one plant suit five latitudes?",
         ("robust.py", "{folder}", "--figure", "{figures}/robust.png"),

@@ -13,6 +13,7 @@ from short_study import PARTS, make_tables, run
 ELSEWHERE = {
     *("strips", "invaders", "panels_measured", "panels_trial", "panels_bred"),
     *("growth_best", "growth_tops", "seasons", "front_water", "water"),
+    *("selection_grain", "selection_carbon", "over_draws"),
 }
 """The parts that test_campaign_scripts.py makes."""
 

@@ -486,7 +486,7 @@ import sys
 sys.modules["ideotype._core"] = None
 import ideotype
 print(ideotype.open({str(history)!r}).sizes["row"])
-import ideotype.figures.case
+import ideotype.report.report
 try:
     ideotype.Stand
 except ideotype.Error as error:

@@ -7,9 +7,7 @@ from collections.abc import Container
 
 import numpy as np
 
-from ..common.compiled import _core
 from ..history.history import History
-from ..stand.plants import restore_stand
 from .worth import Floats, Worth
 
 
@@ -24,7 +22,11 @@ def evaluate_parts(
     finalist. Returns the parts of its worth
     [environments, randomisations, parts]; those that the campaign lacks are 0.
 
-    Raises Error if the evaluation fails."""
+    Raises Error if the evaluation fails, and NotCompiled without the compiled
+    module, which a report without decisions does not need."""
+    from ..common.compiled import _core
+    from ..stand.plants import restore_stand
+
     stand = restore_stand(history, genome, same_isa=False)
     plants = _core.grown_plants(stand, np.ascontiguousarray(genome))
     under = _core.PlantStand(stand, plants, plants.reach, None)

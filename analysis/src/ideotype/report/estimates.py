@@ -6,15 +6,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..calibration.parameters import Parameter, settings_at, values_at
 from ..errors import Error, InputError
 from ..history.case import Case
-from ..validation.comparison import change_settings
 from .blocks import Fact, Note
 from .organ_split import evaluate_pair
+
+if TYPE_CHECKING:
+    from ..calibration.parameters import Parameter
 
 DRAWS = 20
 
@@ -43,6 +45,9 @@ def evaluate_draws(
         return None
     z = np.random.default_rng(1).normal(size=(draws, len(parameters)))
     try:
+        # A report without draws needs no compiled module, which this imports.
+        from ..calibration.parameters import values_at
+
         gains = [
             _gain(case, parameters, values)
             for values in values_at(parameters, z)
@@ -58,6 +63,9 @@ def evaluate_draws(
 def _gain(
     case: Case, parameters: Sequence[Parameter], values: np.ndarray
 ) -> float:
+    from ..calibration.parameters import settings_at
+    from ..validation.comparison import change_settings
+
     crop = case.best_history.resolved["plant"]["baseline"]
     settings = change_settings(settings_at(parameters, values), crop)
     baseline, best = evaluate_pair(case, settings).mean(axis=1)

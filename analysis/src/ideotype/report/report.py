@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from ..calibration.parameters import Parameter
 from ..common.output import require_output, write_file
 from ..figures.comparison import describe_intervals, draw_energy, draw_gains
 from ..figures.cross import Cross, draw_cross
@@ -42,6 +42,9 @@ from .provenance import tabulate_provenance
 from .scenario_table import tabulate_scenarios
 from .scene import Plants, make_scene, select_best
 from .workers import start_workers
+
+if TYPE_CHECKING:
+    from ..calibration.parameters import Parameter
 
 _VIEW = (
     "Choose any two plants; ideotype report --plant FILE adds plants of your "

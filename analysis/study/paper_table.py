@@ -19,8 +19,8 @@ module, and run only if --search names them.
 Re-evaluates the best plants with common random numbers and prints gains over
 the baseline [%] with 95 % intervals, leaf area, and the gain per leaf area;
 differences in the unit of the objective where the baseline is not above zero
-by three standard errors. Also prints the gains of the same plants without
-other organs, and the parts of the gain. With --alike searches have uniform
+by three standard errors. For the plants of the last search also prints the
+gains without other organs, and the parts of the gain. With --alike searches have uniform
 stands; a second table has the gains of their best plants in variable stands.
 The first condition has more seeds than the others; a last table has the gain
 of each.
@@ -106,9 +106,9 @@ class Found:
     varied_gains: dict[str, list[Estimate]]
     """The gains where plants differ, if plants are alike while they are bred
     [%]."""
-    splits: dict[str, list[Split]]
-    """The gains with and without other organs; empty if the plants have no
-    other organs."""
+    splits: list[Split]
+    """The gains of the plants of the last search with and without other
+    organs; empty if the plants have no other organs."""
 
 
 def name_of(tables: dict[str, Any], search: str, seed: int) -> str:
@@ -198,7 +198,7 @@ def find(
         varied = field.evaluate(genomes, [], final=True)
     is_percent = has_percent(values[0].tolist())
     gains = compared(values, gain if is_percent else difference)
-    splits = dict(zip(keys, splits_of(stand, genomes, values)))
+    last = [0, *range(1 + len(keys) - seeds, 1 + len(keys))]
     return Found(
         baseline=estimate(values[0].tolist()),
         has_percent=is_percent,
@@ -213,11 +213,7 @@ def find(
         else compared(
             np.asarray(varied.objective_by_randomisation[:, 0]), gain
         ),
-        splits={
-            search: [x for (name, _), x in splits.items() if name == search]
-            for search in searches
-            if splits
-        },
+        splits=splits_of(stand, genomes[last], values[last]),
     )
 
 
@@ -241,13 +237,15 @@ def row(where: Condition, found: Found, unit: str) -> list[str]:
         plus_minus(found.gain_per_leaf_area, sign="+")
         if found.has_percent
         else "",
-        *(cell for each in found.splits.values() for cell in parts(each)),
+        *parts(found.splits),
     ]
 
 
 def parts(splits: Sequence[Split]) -> list[str]:
     """Returns means over seeds: the gain in each variant except the first, and
     the differences between successive variants."""
+    if not splits:
+        return []
     unit = splits[0].unit
     is_percent = unit == "%"
     return [
@@ -264,15 +262,12 @@ def parts(splits: Sequence[Split]) -> list[str]:
     ]
 
 
-def titles_of_parts(found: Found) -> list[str]:
-    """Returns the titles of the columns of parts() for all searches."""
+def titles_of_parts(splits: Sequence[Split]) -> list[str]:
+    """Returns the titles of the columns of parts()."""
+    variants = splits[0].variants[1:] if splits else ()
     return [
-        f"{TITLES_OF_SEARCHES[search]} {title}"
-        for search, (some, *_) in found.splits.items()
-        for title in (
-            *(f"{v.title} [%]" for v in some.variants[1:]),
-            *(f"by {v.removed} [points]" for v in some.variants[1:]),
-        )
+        *(f"{x.title} [%]" for x in variants),
+        *(f"by {x.removed} [points]" for x in variants),
     ]
 
 
@@ -284,7 +279,7 @@ def tell(results: dict[tuple[str, Condition], Found]) -> None:
         titles = ["condition", f"baseline [{UNITS[objective]}]"]
         titles += [f"{search} [%]" for search in searches]
         titles += ["LAI of the best", "its gain per leaf area [%]"]
-        titles += titles_of_parts(some)
+        titles += titles_of_parts(some.splits)
         print_table(
             titles,
             [

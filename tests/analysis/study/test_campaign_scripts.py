@@ -291,7 +291,7 @@ def test_gains_are_split_into_leaves_and_light_of_other_organs(
     table = run(
         "paper_table.py", tmp_path, "--rough", "--evaluations", 40, *words
     )
-    titles = "with leaves alone [%] | genetic algorithm by carbon of other"
+    titles = "with leaves alone [%] | by carbon of other organs [points]"
     assert table.count(titles) == 3, table
     cell = r" (\S+) ± (\S+) \|"
     rows = re.findall(

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from shared import Numbers, search_by_package
 
+import ideotype
 from ideotype import Stand
 
 
@@ -39,13 +40,19 @@ class Function:
         self, points: ArrayLike, *, repeats: bool = False
     ) -> list[float]:
         """Returns the values of points; `repeats`: with the random numbers of
-        the last call."""
+        the last call. A plant that cannot be evaluated counts as the worst of
+        the call, since libraries do not accept NaN."""
         self._generation += not repeats
         plants = self.plants(points)
         self.evaluations += len(plants)
         found = self._stand.evaluate(plants, [], generation=self._generation)
-        values = np.asarray(found.objective_by_randomisation[:, 0])
-        return [-x for x in values.mean(axis=1).tolist()]
+        draws = np.asarray(found.objective_by_randomisation[:, 0])
+        values = draws.mean(axis=1)
+        has_failed = np.isnan(values)
+        if has_failed.all():
+            raise ideotype.Error(str(found.message.values[0]))
+        values[has_failed] = np.nanmin(values)
+        return [-x for x in values.tolist()]
 
 
 def options_of_cma(seed: int, count: int) -> dict[str, Any]:

@@ -68,10 +68,12 @@ std::vector<Section> list_sections(const Plant& plant) {
     // Light is averaged over each surface that assimilates, so green sheaths
     // are not merged.
     const bool joins = !(sheath.capacity > 0);
+    // Far above rounding errors, and in proportion to the plant, so that all
+    // plants of a field have the same sections, however tall they are.
+    const double shortest = 1e-6 * plant.stalk.height;
     std::vector<Section> parts;
     const auto add = [&](double upper, bool is_sheath) {
         const double lower = parts.empty() ? 0 : parts.back().upper;
-        constexpr double shortest = 1e-6;  // far above rounding errors
         if (upper <= lower + shortest) return;
         if (joins && !parts.empty() && parts.back().is_sheath == is_sheath)
             parts.back().upper = upper;

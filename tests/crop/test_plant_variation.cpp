@@ -124,19 +124,26 @@ TEST(PlantVariation, ScaledPlantsAreSimilar) {
 }
 
 TEST(PlantVariation, PlantsHaveTheFacesOfTheirLine) {
-    // Each sheath ends where the leaf below is inserted, up to rounding.
-    Plant line = sample_plant();
-    line.stalk.base_diameter = .02;
-    line.sheath = {{}, true, .18, .001};
-    line.leaves[0].insertion_height = 1.06;
-    line.leaves[1].insertion_height = 1.24;
-    line.leaves[2].insertion_height = 1.42;
-    const Mesh mesh = build_plant(line, {});
-    RandomStream random = stream();
-    for (int i = 0; i < 200; ++i)
-        EXPECT_EQ(
-            build_plant(deviating(line, {.height = .05}, random), {}).faces,
-            mesh.faces);
+    // Each sheath ends where the leaf below is inserted, up to rounding, or some
+    // micrometres above, as where an internode has just begun to grow.
+    for (const double bare : {0., 5e-7, 1e-6, 1.5e-6, 3e-6}) {
+        Plant line = sample_plant();
+        line.stalk.base_diameter = .02;
+        line.sheath = {{}, true, .18, .001};
+        line.sheath.capacity = .1;
+        line.leaves[0].insertion_height = 1.06;
+        line.leaves[1].insertion_height = 1.24 + bare;
+        line.leaves[2].insertion_height = 1.42 + 2 * bare;
+        line.stalk.height = 1.42 + 2 * bare;
+        const Mesh mesh = build_plant(line, {});
+        RandomStream random = stream();
+        for (int i = 0; i < 200; ++i)
+            EXPECT_EQ(
+                build_plant(deviating(line, {.height = .05}, random), {}).faces,
+                mesh.faces)
+                << bare;
+        EXPECT_EQ(build_plant(scaled(line, .7), {}).faces, mesh.faces) << bare;
+    }
 }
 
 }  // namespace

@@ -233,35 +233,6 @@ def test_carbon_gained_in_a_dry_month_costs_water(tmp_path: Path) -> None:
         assert per_water == pytest.approx(12.011 * carbon / water, rel=0.01)
 
 
-def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
-    words = [
-        tmp_path,
-        "--evaluations",
-        250,
-        "--seeds",
-        1,
-        "--only",
-        "sobol",
-        "cma_es",
-    ]
-    campaign = ["--campaign", CAMPAIGNS / "ames_quick.toml"]
-    figure = tmp_path / "searches.png"
-    table = run("searches.py", *words, *campaign, "--figure", figure)
-    rows = re.findall(
-        r"(?m)^\| (\w+) \| (\d+) \| (\S+) ± \S+ \|.*\| (\S+) \|$", table
-    )
-    assert [row[:2] for row in rows] == [
-        (search, checkpoint)
-        for search in ("sobol", "cma_es")
-        for checkpoint in ("100", "250")
-    ]
-    gains = [float(row[2]) for row in rows]
-    # CMA-ES resumes from its earlier result.
-    assert gains[3] > gains[2]
-    assert min(gains) > 5
-    assert figure.stat().st_size > 10000
-
-
 def test_gains_over_a_loss_are_in_the_unit_of_the_objective(
     tmp_path: Path,
 ) -> None:

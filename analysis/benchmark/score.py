@@ -124,9 +124,9 @@ def score(
         for each in both:
             each.relative.append(abs(given - value) / of)
         if uncertain is not None:
-            # Values are rounded to eight digits.
+            # Values are rounded to eight digits, by up to 5e-8 of them.
             together = (
-                (error or 0) ** 2 + uncertain**2 + (1e-8 * value) ** 2 + 1e-18
+                (error or 0) ** 2 + uncertain**2 + (5e-8 * value) ** 2 + 1e-18
             ) ** 0.5
             for each in both:
                 each.deviations.append(abs(given - value) / together)

@@ -29,5 +29,5 @@ def write_answers(name: str, answer: Answer) -> None:
             for quantity in filter(found.get, case["quantities"]):
                 value, error = found[quantity]
                 text = "" if error is None else f"{error:.3g}"
-                out.writerow([each, quantity, f"{value:.7g}", text])
+                out.writerow([each, quantity, f"{value:.8g}", text])
             file.flush()

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Answers of ideotype, through its Python package."""
+"""Answers of ideotype, through its Python package.
+
+As a script it writes answers/ideotype.csv, with a seed that the values do not
+contain."""
 
 from __future__ import annotations
 
@@ -7,10 +10,14 @@ import tempfile
 from pathlib import Path
 
 import tomli_w
+from answers import write_answers
 from cases import Case, mesh_of
 from plain import Answers
 
 import ideotype
+
+PATHS = 2**17  # for each case
+FRESH_SEED = 1001  # make.py counts from 1
 
 MODEL_KEYS = {
     "hyperbola": ("phi", "theta", "amax"),
@@ -71,3 +78,7 @@ def answer(case: Case, paths: int, seed: int = 1) -> Answers:
             float(data[f"{key}_standard_error"]),
         )
     return answers
+
+
+if __name__ == "__main__":
+    write_answers("ideotype", lambda case: answer(case, PATHS, FRESH_SEED))

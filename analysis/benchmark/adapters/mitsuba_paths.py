@@ -139,9 +139,10 @@ class Field:
             ).astype(np.uint32)
         )
 
-    def trace(self, samples: int, seed: int) -> np.ndarray:
-        """Returns the fraction of the light that each of `names` receives. The
-        first call with a kind of light compiles."""
+    def trace(self, samples: int, seed: int, shifts: int = 1) -> np.ndarray:
+        """Returns the fraction of the light that each of `names` receives, as
+        the mean over independent shifts of the sequence. The first call with a
+        kind of light compiles."""
         received = trace(
             self.scene,
             self.faces,
@@ -152,6 +153,7 @@ class Field:
             dr.zeros(mi.Float64, BINS),
             dr.arange(mi.UInt32, samples),
             dr.opaque(mi.UInt32, seed),
+            dr.opaque(mi.UInt32, shifts),
         )
         return received.numpy()[: len(self.names)] / samples
 
@@ -188,14 +190,16 @@ def trace(
     none: mi.Float64,
     index: mi.UInt32,
     seed: mi.UInt32,
+    shifts: mi.UInt32,
 ) -> mi.Float64:
     """Returns the sums of the weights that owners receive; the first is what
     leaves upward. Each turn of the loop traces one ray through the block."""
     received = mi.Float64(none)
     random = random_numbers(index, seed)
-    # No path has the stream of the shift.
-    shift = random_numbers(mi.UInt32(2**32 - 1), seed)
-    x, y, u, v = kronecker(index, shift)
+    # No path has the stream of a shift.
+    number = index // shifts
+    shift = random_numbers(2**32 - 1 - (index - number * shifts), seed)
+    x, y, u, v = kronecker(number, shift)
     at = mi.Vector3f(x, y, 1) * size
     way = downward(light, sun, u, v)
     is_active, turns = mi.Bool(True), mi.UInt32(0)

@@ -125,7 +125,8 @@ def compare(
     baseline, *others = light(
         stand, np.array([stand.baseline, *plants])
     ).tolist()
-    measure = gain if has_percent(baseline) else difference
+    is_percent = has_percent(baseline)
+    measure, digits = (gain, 1) if is_percent else (difference, 2)
     every = iter([measure(baseline, values) for values in others])
     gains = {
         label: [[next(every) for _ in run] for run in seeds]
@@ -143,7 +144,7 @@ def compare(
                 cells.append("")
                 continue
             at = [one[checkpoints.index(shown)] for one in gains[label]]
-            cells.append(plus_minus(mean_over_seeds(at)))
+            cells.append(plus_minus(mean_over_seeds(at), digits))
         for share in SHARES:
             reached = [
                 first_reached(run, one, share * largest)

@@ -124,8 +124,8 @@ TEST(PlantVariation, ScaledPlantsAreSimilar) {
 }
 
 TEST(PlantVariation, PlantsHaveTheFacesOfTheirLine) {
-    // Each sheath ends where the leaf below is inserted, up to rounding, or some
-    // micrometres above, as where an internode has just begun to grow.
+    // Each sheath ends where the leaf below is inserted, up to rounding, or
+    // some micrometres above, as where an internode has just begun to grow.
     for (const double bare : {0., 5e-7, 1e-6, 1.5e-6, 3e-6}) {
         Plant line = sample_plant();
         line.stalk.base_diameter = .02;

@@ -65,6 +65,7 @@ def front(options: Options, alone: float) -> None:
         **tables,
         "objective": {"maximise": "net_assimilation"},
         "search": {},
+        "stop": {},
     }
     grown = [
         Stand(
@@ -122,6 +123,7 @@ def power_over_soil(tables: Mapping[str, Any], pitch: float) -> float:
             "spacing": [{"row": row, "plant": 10, "row_direction": 0}],
             "field": {"rows": 4, "plants": 1},
             "search": {},
+            "stop": {},
             "objective": {"maximise": "net_assimilation"},
         }
     )

@@ -234,7 +234,7 @@ PARTS = {
             *("neighbours.py", "{folder}", "--only", "invaders"),
             *("--evaluations", "480", "--seeds", "4"),
         ),
-        ("--rough", "--evaluations", "24", "--seeds", "1"),
+        ("--rough", "--evaluations", "200", "--seeds", "1"),
     ),
     "panels_measured": Part(
         "Does the light on modules agree with measurements?",

@@ -12,7 +12,6 @@ from climates import (
     bondville,
     growing_season,
     moved_season,
-    season,
     site,
 )
 from shared import (
@@ -102,7 +101,7 @@ def campaign(
         tables["plant"] = {"baseline": str(HYBRID), "bounds": "breedable"}
         found = growing_season()
     elif objective == "carbon_balance":
-        found = {**bondville(), "climate": [season()]}
+        found = bondville()
     else:
         found = {"day": [CLEAR_DAY]}
     (here,) = found.get("site", [site(where.latitude)])

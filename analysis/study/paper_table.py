@@ -20,10 +20,10 @@ Re-evaluates the best plants with common random numbers and prints gains over
 the baseline [%] with 95 % intervals, leaf area, and the gain per leaf area;
 differences in the unit of the objective where the baseline is not above zero
 by three standard errors. For the plants of the last search also prints the
-gains without other organs, and the parts of the gain. With --alike searches have uniform
-stands; a second table has the gains of their best plants in variable stands.
-The first condition has more seeds than the others; a last table has the gain
-of each.
+gains without other organs, and the parts of the gain. With --alike searches
+have uniform stands; a second table has the gains of their best plants in
+variable stands. The first condition has more seeds than the others; a last
+table has the gain of each.
 
 The season is that of Bondville, Illinois, 40 deg north instead of 42, and
 moved to the other latitudes (climates.moved_season).
@@ -127,13 +127,6 @@ def bred(
             found = LIBRARIES[search](stand, seed, count)
             kept.write_text(json.dumps(found.tolist()))
         return np.array(json.loads(kept.read_text()))
-    return best(searched(tables, search, seed, count, folder))
-
-
-def searched(
-    tables: dict[str, Any], search: str, seed: int, count: int, folder: Path
-) -> Path:
-    """Returns the history of a search by the program."""
     limits = {"generations": count // 10 + 1, "evaluations": count}
     settings: dict[str, Any] = {"optimizer": search}
     if search in ("random", "ga"):
@@ -145,7 +138,7 @@ def searched(
         "search": settings,
         "stop": limits,
     }
-    return breed_tables(run, folder)[0]
+    return best(breed_tables(run, folder)[0])
 
 
 def splits_of(stand: Stand, genomes: Numbers, values: Numbers) -> list[Split]:

@@ -12,32 +12,39 @@ PARAMETERS, each over the range of its source. Shares depend on these ranges.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from estimates import plus_minus, print_table
-from shared import (
-    ROUGH,
-    breed_tables,
-    campaign_of,
-    guard,
-    parser_of_searches,
-)  # fmt: skip
+from shared import ROUGH, campaign_of, guard, parser_of_searches, sensitivity
 
-from ideotype import open_history
-from ideotype.history.indices import indices_of
 
-#: The ranges of parameters, with their sources or E for an estimate: the
-#: phyllochron is one standard deviation between datasets of the Corn Belt
-#: (13 to 18 %, doi:10.3389/fpls.2022.872738); kernels and their filling are
-#: those of crops/maize_hybrid.toml.
-PARAMETERS: dict[str, tuple[tuple[float, float], str]] = {
-    "photosynthesis.vmax": ((30, 48), "E"),
-    "photosynthesis.alpha": ((0.057, 0.077), "E"),
-    "photosynthesis.rd": ((0.4, 1.2), "E"),
-    "plant.baseline.growth.ear_maintenance": ((0.005, 0.015), "E"),
-    "plant.baseline.stalk.maintenance": ((0.010, 0.020), "E"),
-    "plant.baseline.growth.interval": ((38, 50), "source"),
-    "plant.baseline.growth.root_share": ((0.10, 0.20), "source"),
-    "plant.baseline.grain.kernels": ((385, 600), "source"),
-    "plant.baseline.grain.filling_rate": ((5.4, 8.5), "source"),
+class Range(NamedTuple):
+    """The range of a parameter, from a source or estimated (E)."""
+
+    low: float
+    high: float
+    is_estimate: bool = False
+
+    def __str__(self) -> str:
+        mark = " (E)" if self.is_estimate else ""
+        return f"{self.low:g} to {self.high:g}{mark}"
+
+
+#: The range of the phyllochron is one standard deviation between datasets of
+#: the Corn Belt (13 to 18 %, doi:10.3389/fpls.2022.872738); those of kernels
+#: and their filling are from crops/maize_hybrid.toml.
+PARAMETERS: dict[str, Range] = {
+    "photosynthesis.vmax": Range(30, 48, is_estimate=True),
+    "photosynthesis.alpha": Range(0.057, 0.077, is_estimate=True),
+    "photosynthesis.rd": Range(0.4, 1.2, is_estimate=True),
+    "plant.baseline.growth.ear_maintenance": Range(
+        0.005, 0.015, is_estimate=True
+    ),
+    "plant.baseline.stalk.maintenance": Range(0.010, 0.020, is_estimate=True),
+    "plant.baseline.growth.interval": Range(38, 50),
+    "plant.baseline.growth.root_share": Range(0.10, 0.20),
+    "plant.baseline.grain.kernels": Range(385, 600),
+    "plant.baseline.grain.filling_rate": Range(5.4, 8.5),
 }
 OBJECTIVES = ("dry_matter", "grain_yield")
 
@@ -52,27 +59,22 @@ def main() -> None:
         sensitivity={
             "samples": options.samples,
             "keys": [
-                {"key": key, "range": list(limits)}
-                for key, (limits, _) in PARAMETERS.items()
+                {"key": key, "range": [limits.low, limits.high]}
+                for key, limits in PARAMETERS.items()
             ],
         },
         **{"light": {"tolerance": 0.03}, **(ROUGH if options.rough else {})},
     )
-    [history] = breed_tables(tables, options.folder, "sensitivity")
-    with open_history(history) as opened:
-        every = indices_of(opened)
+    every = sensitivity(tables, options.folder)
     found = [every[name] for name in OBJECTIVES]
     rows = []
     for k, factor in enumerate(found[0].factors):
-        text = "breedable"
-        if factor in PARAMETERS:
-            (low, high), kind = PARAMETERS[factor]
-            text = f"{low:g} to {high:g}" + (" (E)" if kind == "E" else "")
         totals = [
             (float(x.index["total"][k]), float(x.standard_error["total"][k]))
             for x in found
         ]
-        rows.append([factor, text, *(plus_minus(x, 2) for x in totals)])
+        of = str(PARAMETERS.get(factor, "breedable"))
+        rows.append([factor, of, *(plus_minus(x, 2) for x in totals)])
     print_table(
         ["total Sobol' index", "range", "dry matter", "grain yield"], rows
     )

@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 
 import ideotype
 from ideotype import Search, Stand
+from ideotype.history.indices import Indices, indices_of
 
 CAMPAIGNS = Path(__file__).parents[2] / "campaigns"
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"
@@ -293,6 +294,13 @@ def breed_tables(
     path = folder / f"{tables['name']}.toml"
     path.write_text(tomli_w.dumps(tables), encoding="utf-8")
     return breed(path, tables["name"], [], folder, verb)
+
+
+def sensitivity(tables: Mapping[str, Any], folder: Path) -> dict[str, Indices]:
+    """Runs a sensitivity study, and returns the indices of all quantities."""
+    (history,) = breed_tables(tables, folder, "sensitivity")
+    with ideotype.open_history(history) as opened:
+        return indices_of(opened)
 
 
 def best(history: Path) -> Numbers:

@@ -88,6 +88,7 @@ def say_searches(folder: Path) -> list[str]:
             for history in study
             if not history.is_sensitivity
             and len(history.objectives) == 1
+            and not history.resolved["search"].get("axes")
             and history.generations()
         ]
         verdicts = [

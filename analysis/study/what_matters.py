@@ -51,16 +51,16 @@ from shared import (
     TITLES,
     Numbers,
     best_plants,
-    breed_tables,
     guard,
     light,
     parser_of_searches,
     say,
+    sensitivity,
 )  # fmt: skip
 
-from ideotype import Stand, open_history
+from ideotype import Stand
 from ideotype.figures.style import new_figure, series
-from ideotype.history.indices import Indices, indices_of
+from ideotype.history.indices import Indices
 
 DAY, SEASON = CAMPAIGNS / "ames.toml", CAMPAIGNS / "bondville.toml"
 #: The objectives of breeding, and the campaign that provides the light of
@@ -196,9 +196,7 @@ def indices(tables: dict[str, Any], samples: int, folder: Path) -> Indices:
         "name": f"{tables['name']}_indices",
         "sensitivity": {"samples": samples},
     }
-    [history] = breed_tables(study, folder, "sensitivity")
-    with open_history(history) as opened:
-        return indices_of(opened)[tables["name"]]
+    return sensitivity(study, folder)[tables["name"]]
 
 
 def bred(tables: dict[str, Any], options: argparse.Namespace) -> list[Numbers]:

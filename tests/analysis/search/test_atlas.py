@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares the atlas with pyribs 0.12.0 on the benchmark of that package
 (atlas_benchmark.py), with 300 generations of 100 points. The QD score is the
-sum of the noise-free objectives of the leaders of all cells. Scores of pyribs are means of three seeds, by
-`GridArchive` with `IsoLineEmitter` (iso_sigma = 0.1024, line_sigma = 0.2) or
-`GaussianEmitter` (sigma = 0.5), which begin at 0."""
+sum of the noise-free objectives of the leaders of all cells. Scores of pyribs
+are means of three seeds, by `GridArchive` with `IsoLineEmitter` (iso_sigma =
+0.1024, line_sigma = 0.2) or `GaussianEmitter` (sigma = 0.5), which begin at
+0."""
 
 from __future__ import annotations
 

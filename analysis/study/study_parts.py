@@ -30,7 +30,7 @@ PARTS = {
     "paper_table": Part(
         "How much can breeding gain?",
         (
-            *("paper_table.py", "{folder}"),
+            *("paper_table.py", "{folder}", "--search", "auto"),
             *("--figure", "{figures}/paper_table.png"),
         ),
         (
@@ -43,7 +43,7 @@ PARTS = {
     "paper_grain": Part(
         "How much grain can breeding gain?",
         (
-            *("paper_table.py", "{folder}"),
+            *("paper_table.py", "{folder}", "--search", "auto"),
             *("--objective", "grain_yield", "--evaluations", "1000"),
             *("--condition", "all", "7", "56p2", "15x6", "30x3"),
         ),
@@ -111,7 +111,7 @@ PARTS = {
     "what_matters": Part(
         "Which traits matter?",
         (
-            *("what_matters.py", "{folder}"),
+            *("what_matters.py", "{folder}", "--seeds", "4"),
             *("--figure", "{figures}/what_matters.png"),
         ),
         (
@@ -141,8 +141,14 @@ PARTS = {
     ),
     "robust": Part(
         "Does one plant suit five latitudes?",
-        ("robust.py", "{folder}", "--figure", "{figures}/robust.png"),
-        ("--rough", "--latitudes", "7", "56.2", "--evaluations", "20"),
+        (
+            *("robust.py", "{folder}", "--seeds", "3"),
+            *("--figure", "{figures}/robust.png"),
+        ),
+        (
+            *("--rough", "--latitudes", "7", "56.2"),
+            *("--evaluations", "20", "--seeds", "1"),
+        ),
     ),
     "front": Part(
         "How much leaf area does a season's carbon need?",
@@ -159,7 +165,7 @@ PARTS = {
         (
             *("what_matters.py", "{folder}", "--growing"),
             *("--only", "carbon_balance", "--samples", "256"),
-            *("--evaluations", "400"),
+            *("--evaluations", "400", "--seeds", "4"),
         ),
         ("--rough", "--samples", "4", "--evaluations", "20", "--seeds", "1"),
     ),

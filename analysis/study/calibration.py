@@ -390,7 +390,7 @@ def write_robust(
     return path
 
 
-def show_bred(folder: Path, generations: int, draws: int, seeds: int) -> None:
+def show_bred(folder: Path, evaluations: int, draws: int, seeds: int) -> None:
     """Prints plants of searches over draws of the estimates against plants of
     searches at their middle."""
     parameters = [*CLEAR_DAY[4:], Parameter("photosynthesis.rd", 1, 3)]
@@ -408,7 +408,7 @@ def show_bred(folder: Path, generations: int, draws: int, seeds: int) -> None:
         path = write_robust(folder / f"{name}.toml", parameters, points)
         settings = {
             **keys, "objective.scenarios": rule, "replicates": seeds,
-            "search.population": 16, "stop.generations": generations,
+            "stop.evaluations": evaluations,
         }  # fmt: skip
         histories = breed(
             path, f"bred_{name}", format_settings(settings), folder
@@ -572,7 +572,7 @@ def main() -> None:
         ),
         "bred": lambda: show_bred(
             options.folder,
-            4 if rough else 40,
+            64 if rough else 640,
             3 if rough else 20,
             2 if rough else 8,
         ),

@@ -113,7 +113,10 @@ def test_searches_differ_only_beyond_their_errors() -> None:
 
 
 def summarise_case(
-    folder: Path, optimizer: str, shifts: tuple[float, ...]
+    folder: Path,
+    optimizer: str,
+    shifts: tuple[float, ...],
+    baseline_shift: float = 0.0,
 ) -> Study:
     """Returns a study of finished searches; their gain increases by 3 % for
     each third of a unit of `shift`."""
@@ -123,6 +126,7 @@ def summarise_case(
             attributes={"case": f"made_r{k}", "replicate": k},
             resolved=f'name = "made"\n[search]\noptimizer = "{optimizer}"',
             shift=shift,
+            baseline_shift=baseline_shift,
         )
         made.evolve(4)
         made.finish()
@@ -135,9 +139,10 @@ def sentence(
     runs: list[NDArray[np.float64]],
     optimizer: str = "ga",
     shifts: tuple[float, ...] = (0.0,),
+    baseline_shift: float = 0.0,
 ) -> str:
     """Returns the verdict on searches with the given population means."""
-    with summarise_case(folder, optimizer, shifts) as study:
+    with summarise_case(folder, optimizer, shifts, baseline_shift) as study:
         (case,) = study.cases()
         first = case.histories[0].generations()
         made = [
@@ -204,6 +209,14 @@ def test_the_default_search_states_a_tested_bound(tmp_path: Path) -> None:
     flat.mkdir()
     text = sentence(flat, [means(40, 0.02)], "auto")
     assert text.startswith("Yes: as many further evaluations (800) gain")
+
+
+def test_a_baseline_near_zero_is_no_unit_of_the_bound(tmp_path: Path) -> None:
+    """The bound then refers to the last populations."""
+    rising = np.linspace(11, 11.4, 40)
+    text = sentence(tmp_path, [rising], "auto", baseline_shift=-10.9999)
+    bound = 1.02 * (rising[32:].mean() - rising[16:20].mean()) / 11.4
+    assert f"gain at most {100 * bound:.1f} % more" in text
 
 
 def test_searches_with_different_gains_have_not_converged(

@@ -43,7 +43,8 @@ class Verdict:
     reason: str
     left: float | None = None
     """What as many further evaluations of `auto` gain at most, in 90 % of
-    searches [% of the baseline]; None if no bound is known."""
+    searches [% of the baseline, or of the last populations if the baseline is
+    near zero]; None if no bound is known."""
 
     def __str__(self) -> str:
         return f"{self.end.value.capitalize()}: {self.reason}."
@@ -174,9 +175,12 @@ def _most_gain_left(runs: Sequence[Generations], sign: int) -> float | None:
 
 def _scale(case: Case, runs: Sequence[Generations]) -> float:
     """Returns the absolute objective of the baseline, or that of the last
-    populations while the baseline is unknown."""
+    populations while the baseline is unknown or within three standard errors
+    of zero."""
     if case.pairs:
-        return abs(case.baseline.objective.mean)
+        baseline = case.baseline.objective
+        if abs(baseline.mean) > 3 * baseline.standard_error:
+            return abs(baseline.mean)
     return abs(float(np.mean([run.mean.values[-1] for run in runs])))
 
 

@@ -6,6 +6,16 @@
 #
 #     ./quickstart.sh [FOLDER]     # of the results; default: results
 set -euo pipefail
+case ${1:-} in
+-h | --help)
+    sed -n '3,7s/^# \{0,1\}//p' "$0"
+    exit
+    ;;
+-*)
+    echo "$0: there is no option $1; see $0 --help" >&2
+    exit 2
+    ;;
+esac
 cd "$(dirname "$0")"
 . .ci/install
 

@@ -6,7 +6,7 @@ study.py FOLDER [--only PART...] [--short] [--check] [--results PAGES]
 
 A part is a script of this folder. It runs searches and evaluations in
 FOLDER/PART and prints a table. Finished searches are not repeated, and
-interrupted ones resume. The table replaces the text between
+interrupted ones resume. The table replaces, in this clone, the text between
 
     <!-- study: PART -->
     <!-- end of study -->
@@ -23,12 +23,14 @@ a table in which this cause alone was changed, after a mark with its name,
 or if it links to such a page. Otherwise the script fails.
 
 With --check the pages stay unchanged, and the script fails if a number on them
-differs from the histories. The last digit of a number after ± may differ by
+differs from what its script prints; parts without histories are computed
+again, and parts that FOLDER lacks are run. The last digit of a number after ± may differ by
 one, since some intervals were computed from rounded standard errors.
 
 The script prints the commit of the project, the version of the program and the
-digests of the input files; for each part also the evaluations in its histories
-and the time that it took, earlier sessions included. --short runs the same
+digests of the input files; for each part also the evaluations in its histories,
+the time that it took, earlier sessions included, and whether the table on the
+page holds. --short runs the same
 parts roughly, in minutes; its tables stand between <!-- short study: PART -->
 and <!-- end of study -->.
 IDEOTYPE_EXECUTABLE names the program; without it, the one on PATH is used.
@@ -44,6 +46,7 @@ import sys
 import time
 from collections import Counter
 from dataclasses import dataclass
+from difflib import unified_diff
 from pathlib import Path
 from statistics import median
 from textwrap import shorten
@@ -198,6 +201,14 @@ def agree(old: str, new: str) -> bool:
     )
 
 
+def differing_lines(old: str, new: str) -> str:
+    """Returns the lines that only one of two tables has."""
+    lines = unified_diff(old.splitlines(), new.splitlines(), n=0, lineterm="")
+    return "\n".join(
+        x for x in lines if not x.startswith(("---", "+++", "@@"))
+    )
+
+
 def write(page: Path, place: str, table: str) -> None:
     text = page.read_text(encoding="utf-8")
     page.write_text(
@@ -259,12 +270,32 @@ def timed(folder: Path, seconds: float) -> float:
 
 
 def main() -> None:
-    parser = parser_of(__doc__)
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("--only", nargs="+", choices=PARTS, metavar="PART")
-    parser.add_argument("--short", action="store_true")
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--results", type=Path, default=PAGES)
+    parser = parser_of(__doc__, f"Parts: {', '.join(PARTS)}.")
+    parser.add_argument(
+        "folder", type=Path, help="of histories; made if it does not exist"
+    )
+    parser.add_argument(
+        "--only",
+        nargs="+",
+        choices=PARTS,
+        metavar="PART",
+        help="run these parts instead of all",
+    )
+    parser.add_argument(
+        "--short", action="store_true", help="run roughly, in minutes"
+    )
+    parser.add_argument(
+        "--check",
+        action="store_true",
+        help="compare tables with the pages instead of replacing them",
+    )
+    parser.add_argument(
+        "--results",
+        type=Path,
+        default=PAGES,
+        metavar="PAGES",
+        help="the folder of pages (default: docs/results)",
+    )
     options = parser.parse_args()
     folder = options.folder.resolve()
     figures = folder if options.short or options.check else HERE / "figures"
@@ -285,16 +316,21 @@ def main() -> None:
         seconds = time.monotonic() - begin
         if not options.check:
             seconds = timed(folder / name, seconds)
+        page, before = quotations[name].page, quotations[name].table
+        is_same = agree(before, table)
         print(
             f"{name}: {PARTS[name].question} {seconds:.0f} s, "
-            f"{evaluations(folder / name)} evaluations",
+            f"{evaluations(folder / name)} evaluations, {page.name} "
+            f"{'holds' if is_same else 'differs'}",
             flush=True,
         )
-        page = quotations[name].page
         if not options.check:
             write(page, place, table)
-        elif not agree(quotations[name].table, table):
-            wrong.append(f"{page}: {place} is not\n{table}")
+        elif not is_same:
+            wrong.append(
+                f"{page}: {place} is not what its script prints; the page (-) "
+                f"and the script (+):\n{differing_lines(before, table)}"
+            )
     if wrong:
         raise SystemExit("\n".join(wrong))
 

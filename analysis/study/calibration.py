@@ -432,7 +432,7 @@ def show_bred(folder: Path, evaluations: int, draws: int, seeds: int) -> None:
             "draws better than the baseline": (gains > 0).mean(1),
             "regret": (gains.max(0) - gains).mean(1),
         }
-        print(f"{title} ({seeds} searches each)")
+        print(f"On {title} ({seeds} searches each):\n")
         print_table(
             ["bred over", *of_draws],
             [
@@ -448,7 +448,7 @@ def show_bred(folder: Path, evaluations: int, draws: int, seeds: int) -> None:
         )
         by_way = of_draws["mean gain [%]"].reshape(len(ways), seeds)
         print(
-            "mean over draws less middle, paired by the seed: "
+            "\nmean over draws less middle, paired by the seed: "
             f"{plus_minus_of(by_way[1] - by_way[0])}\n"
         )
 
@@ -580,10 +580,10 @@ def main() -> None:
         "shared": lambda: show_shared(options.folder),
         "validation": lambda: show_validation(options.folder),
     }
-    for name, show in parts.items():
-        if not options.only or name in options.only:
+    for name in options.only or parts:
+        if len(options.only or parts) > 1:
             print(f"\n## {name}")
-            show()
+        parts[name]()
 
 
 if __name__ == "__main__":

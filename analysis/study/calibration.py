@@ -39,9 +39,9 @@ from shared import (
     CAMPAIGNS,
     best,
     breed,
-    folder_at,
     guard,
-    parser_of,
+    parser_of_searches,
+    run_parts,
     say,
 )
 
@@ -552,38 +552,29 @@ def show_validation(folder: Path) -> None:
 
 
 def main() -> None:
-    parser = parser_of(__doc__)
-    parser.add_argument("folder", type=folder_at)
+    parser = parser_of_searches(__doc__, sets=100)
     parser.add_argument("--measured", type=Path)
-    parser.add_argument("--only", nargs="+")
-    parser.add_argument("--sets", type=int, default=100)
-    parser.add_argument(
-        "--rough", action="store_true", help="a test of the script"
+    run_parts(
+        parser,
+        {
+            "coverage": lambda x: show_coverage(
+                x.folder, 2 if x.rough else x.sets, 20 if x.rough else 150
+            ),
+            "limits": lambda x: show_limits(x.folder),
+            "fields": lambda x: show_fields(
+                x.folder, x.measured, 20 if x.rough else None
+            ),
+            "bred": lambda x: show_bred(
+                x.folder,
+                64 if x.rough else 640,
+                3 if x.rough else 20,
+                2 if x.rough else 8,
+            ),
+            "twelve": lambda x: show_twelve(x.folder),
+            "shared": lambda x: show_shared(x.folder),
+            "validation": lambda x: show_validation(x.folder),
+        },
     )
-    options = parser.parse_args()
-    rough = options.rough
-    parts = {
-        "coverage": lambda: show_coverage(
-            options.folder, 2 if rough else options.sets, 20 if rough else 150
-        ),
-        "limits": lambda: show_limits(options.folder),
-        "fields": lambda: show_fields(
-            options.folder, options.measured, 20 if rough else None
-        ),
-        "bred": lambda: show_bred(
-            options.folder,
-            64 if rough else 640,
-            3 if rough else 20,
-            2 if rough else 8,
-        ),
-        "twelve": lambda: show_twelve(options.folder),
-        "shared": lambda: show_shared(options.folder),
-        "validation": lambda: show_validation(options.folder),
-    }
-    for name in options.only or parts:
-        if len(options.only or parts) > 1:
-            print(f"\n## {name}")
-        parts[name]()
 
 
 if __name__ == "__main__":

@@ -24,15 +24,15 @@ or if it links to such a page. Otherwise the script fails.
 
 With --check the pages stay unchanged, and the script fails if a number on them
 differs from what its script prints; parts without histories are computed
-again, and parts that FOLDER lacks are run. The last digit of a number after ± may differ by
-one, since some intervals were computed from rounded standard errors.
+again, and parts that FOLDER lacks are run. The last digit of a number after ±
+may differ by one, since some intervals were computed from rounded standard
+errors.
 
 The script prints the commit of the project, the version of the program and the
 digests of the input files; for each part also the evaluations in its histories,
 the time that it took, earlier sessions included, and whether the table on the
-page holds. --short runs the same
-parts roughly, in minutes; its tables stand between <!-- short study: PART -->
-and <!-- end of study -->.
+page holds. --short runs the same parts roughly, in minutes; its tables stand
+between <!-- short study: PART --> and <!-- end of study -->.
 IDEOTYPE_EXECUTABLE names the program; without it, the one on PATH is used.
 """
 
@@ -204,9 +204,7 @@ def agree(old: str, new: str) -> bool:
 def differing_lines(old: str, new: str) -> str:
     """Returns the lines that only one of two tables has."""
     lines = unified_diff(old.splitlines(), new.splitlines(), n=0, lineterm="")
-    return "\n".join(
-        x for x in lines if not x.startswith(("---", "+++", "@@"))
-    )
+    return "\n".join(x for x in [*lines][2:] if not x.startswith("@@"))
 
 
 def write(page: Path, place: str, table: str) -> None:

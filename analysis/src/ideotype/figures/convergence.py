@@ -177,10 +177,8 @@ def _scale(case: Case, runs: Sequence[Generations]) -> float:
     """Returns the absolute objective of the baseline, or that of the last
     populations while the baseline is unknown or within three standard errors
     of zero."""
-    if case.pairs:
-        baseline = case.baseline.objective
-        if abs(baseline.mean) > 3 * baseline.standard_error:
-            return abs(baseline.mean)
+    if case.pairs and not case.baseline.objective.is_near_zero:
+        return abs(case.baseline.objective.mean)
     return abs(float(np.mean([run.mean.values[-1] for run in runs])))
 
 

@@ -47,6 +47,12 @@ class Estimate:
     """The value in each independent randomisation [randomisations]. Estimates
     with common random numbers are paired by it; empty if unknown."""
 
+    @property
+    def is_near_zero(self) -> bool:
+        """Whether the mean is within three standard errors of zero, so that
+        per cent of it mean little."""
+        return abs(self.mean) <= 3 * self.standard_error
+
     def scaled(self, factor: float, unit: str) -> Estimate:
         """Returns the estimate in another unit, for an exact factor."""
         return Estimate(

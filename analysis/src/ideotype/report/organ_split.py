@@ -30,10 +30,6 @@ _OF_LEAVES = {
 }
 """The objectives that other organs lower by shading leaves."""
 
-_LEAST_BASELINE = 3.0
-"""The distance of a baseline above 0 [standard errors] from which on gains are
-meaningful in per cent."""
-
 
 @dataclass(frozen=True)
 class Variant:
@@ -144,7 +140,7 @@ def split_gain(
 
 def _is_above_zero(values: Numbers) -> bool:
     found = _mean(values, "1")
-    return found.mean > _LEAST_BASELINE * found.standard_error
+    return found.mean > 0 and not found.is_near_zero
 
 
 def _relative(reference: Numbers, change: Numbers) -> Estimate:

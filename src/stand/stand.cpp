@@ -39,11 +39,14 @@ Randomness randomness_of(const Task& task, const Campaign& campaign,
     const std::uint64_t seed =
         task.seed ? derive_seed(*task.seed, chosen.name) : chosen.seed;
     if (task.is_final) return {derive_seed(seed, "final")};
-    if (campaign.has_light_by_row)
+    if (campaign.has_light_by_row) {
+        // Each stage of a row has randomisations too.
+        const int scenes = campaign.sampling.randomisations *
+                           campaign.spec.light.stages.value_or(1);
         return {seed, task.generation,
-                task.slot * static_cast<std::uint32_t>(
-                                campaign.sampling.randomisations),
+                task.slot * static_cast<std::uint32_t>(scenes),
                 campaign.sampling.fields == 1};
+    }
     return {seed, task.generation};
 }
 

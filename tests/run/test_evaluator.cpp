@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -363,6 +364,32 @@ TEST(StudiesOfASeason, KeysOfGrowthAndOfLeavesHaveTheQuantitiesOfTheBaseline) {
          "sensitivity.keys=[{key=\"photosynthesis.rd\", range=[0.4, 1.2]}]"});
     EXPECT_TRUE(search_schema(same, cases(same)[0], same.sampling)
                     .measured.has("grain_by_day"));
+}
+
+//! Otherwise a stage of one row would have the fields of a stage of another
+//! row, and the noise of rows would not be independent.
+TEST(StudiesOfASeason, StagesOfDifferentRowsHaveDifferentRandomNumbers) {
+    const Campaign season =
+        read_study(std::string(IDEOTYPE_CAMPAIGNS) + "/growing_season.toml",
+                   {"light.stages=5", "light.fields=4",
+                    "light.randomisations=8", "sensitivity.samples=16"});
+    const Case chosen = cases(season).at(0);
+    std::set<std::uint32_t> randomisations;
+    std::size_t count = 0;
+    for (const Case& stage : chosen.scenarios.at(0).stages) {
+        const Scene scene = scene_of(season, stage);
+        Task task;
+        for (task.slot = 0; task.slot < 20; ++task.slot) {
+            const CanopyRequest request =
+                request_of(sampling_of(task, season, stage), season, stage,
+                           scene, {season.crop.baseline});
+            for (int k = 0; k < request.accuracy.randomisations; ++k, ++count)
+                randomisations.insert(request.randomness.first_randomisation +
+                                      static_cast<std::uint32_t>(k));
+        }
+    }
+    EXPECT_EQ(count, 20u * 5 * 8);
+    EXPECT_EQ(randomisations.size(), count);
 }
 
 TEST_F(Study, KeysThatContradictEachOtherFailTheRow) {

@@ -4,7 +4,7 @@
 ideotype.
 
 select_panel.py FOLDER [--only carbon|grain|faults] [--evaluations N]
-                [--rough]
+                [--figure FILE.png] [--rough]
 
 Lines with the means and covariances of campaigns/lines/maize_panel.toml stand
 at 7 and 12 plants m-2 in the season of quickstart.toml (net carbon balance),
@@ -13,15 +13,17 @@ hybrid of the campaign instead of around their own mean. 40 lines are tested
 in nine plots each and four are selected, for five cycles: by yield
 (heritability of a plot 0.12, of the mean 0.55), by the index of the gradient,
 and by genomic prediction. SIZES are the numbers of programmes. A search over
-both densities gives the ideotype. Prints one table for each question. `faults`
-prints the messages for a made trial of 40 lines with faults. ± is half of a
-95 % interval. --rough is for tests.
+both densities gives the ideotype. Prints one table for each question;
+--figure draws the gain of lines against the cycle. `faults` prints the
+messages for a made trial of 40 lines with faults. ± is half of a 95 %
+interval. --rough is for tests.
 """
 
 from __future__ import annotations
 
 import argparse
 import resource
+import shutil
 import tomllib
 from dataclasses import replace
 from pathlib import Path
@@ -55,23 +57,26 @@ from ideotype.selection import (
 
 PANEL = CAMPAIGNS / "lines/maize_panel.toml"
 LINES = 281
-DENSITIES = "spacing=[{row=0.762,density=7},{row=0.762,density=12}]"
+#: Plants m-2, in rows of 30 inches.
+DENSITIES = (7, 12)
 #: The numbers of programmes of each method, and of draws at the mean of each
 #: cycle. Growing seasons are thinned: each evaluation takes four times as long.
-SIZES = {"carbon": (3, 4), "grain": (2, 2)}
+SIZES = {"carbon": (5, 4), "grain": (5, 2)}
 PLAN = Plan(cycles=5, lines=40, parents=4, crosses=4, plots=9, untested=40)
 
 
 def campaign_of(goal: str) -> tuple[Path, list[str]]:
     """Returns the campaign of an objective, and its keys."""
+    entries = ",".join(f"{{row=0.762,density={x}}}" for x in DENSITIES)
+    spacings = f"spacing=[{entries}]"
     if goal == "carbon":
-        return CAMPAIGNS / "quickstart.toml", [DENSITIES]
+        return CAMPAIGNS / "quickstart.toml", [spacings]
     campaign = CAMPAIGNS / "growing_season.toml"
     table = ideotype.Stand.from_campaign(campaign).campaign
     years = tomllib.loads(table)["climate"]
     keys = format_settings({"climate": years[:1]})
     return campaign, [
-        DENSITIES, *keys, "objective.maximise=grain_yield", "objective.over=[]",
+        spacings, *keys, "objective.maximise=grain_yield", "objective.over=[]",
     ]  # fmt: skip
 
 
@@ -114,6 +119,8 @@ def study(goal: str, options: argparse.Namespace) -> None:
         history=history,
     )
     write_selection(done, folder)
+    if options.figure:
+        shutil.copyfile(folder / "reach.png", options.figure)
     print_all(goal, done)
     usage = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000
     say(
@@ -129,60 +136,72 @@ def print_all(goal: str, done: Selection) -> None:
         pair = row[name], row[f"{name}_standard_error"]
         return plus_minus(pair, digits)
 
-    table = done.tables["index"]
+    response = done.tables["response"]
+    places = dict(zip(response["case"], [*map(str, DENSITIES), "mean"]))
     print_table(
-        [f"{goal}: case", "trait", "economic weight [% per unit]",
-         "index weight", "response in a cycle", "alone [%]", "advice"],
+        [f"{goal}: plants m-2", "of the mean plant", "index, one cycle [%]",
+         "first trait", "first in draws"],
         [
             [
-                str(row["case"]),
-                f"{row['trait']} [{row['unit']}]",
-                cell(row, "economic_weight", 2),
-                cell(row, "weight", 2),
-                cell(row, "response", 2),
-                cell(row, "single_gain"),
-                str(row["advice"]),
+                places[row["case"]], cell(row, "objective", 3),
+                cell(row, "gain"), str(row["first_trait"]),
+                f"{row['first_probability']:.0%}",
             ]
-            for _, row in table.iterrows()
+            for _, row in response.iterrows()
         ],
     )  # fmt: skip
     print()
+    index = done.tables["index"]
     print_table(
-        [f"{goal}: case", "objective of the mean plant",
-         "index, a cycle [%]", "base index [%]", "first trait",
-         "in draws of errors"],
+        [f"{goal}: trait",
+         *(f"economic weight, {x} [% per unit]" for x in places.values()),
+         "response to one cycle", "this trait alone [%]"],
         [
             [
-                str(row["case"]), cell(row, "objective", 3),
-                cell(row, "gain"), cell(row, "base_gain"),
-                str(row["first_trait"]), f"{row['first_probability']:.0%}",
+                f"{trait} [{rows['unit'].iloc[0]}]",
+                *(cell(row, "economic_weight", 2)
+                  for _, row in rows.iterrows()),
+                cell(rows.iloc[-1], "response"),
+                cell(rows.iloc[-1], "single_gain"),
             ]
-            for _, row in done.tables["response"].iterrows()
+            for trait, rows in index.groupby("trait", sort=False)
         ],
     )  # fmt: skip
     print()
     programme = done.tables["programme"]
     print_table(
-        [f"{goal}: method", "cycle", "gain of lines [%]",
-         "mean plant, traced [%]", "the same, quadratic [%]", "variance",
-         "inbreeding", "accuracy"],
+        [f"{goal} [%]: selection by",
+         *(f"cycle {x}" for x in range(1, PLAN.cycles + 1)),
+         "ideotype", "cycles to half", "variance left"],
         [
             [
-                str(row["method"]),
-                str(row["cycle"]),
-                cell(row, "gain"),
-                cell(row, "mean_plant"),
-                f"{row['mean_plant_approximate']:.1f}",
-                f"{row['variance']:.2f}",
-                f"{row['inbreeding']:.2f}",
-                f"{row['accuracy']:.2f}",
+                method,
+                *(cell(row, "gain") for _, row in rows[1:].iterrows()),
+                plus_minus((reach.ceiling, reach.ceiling_standard_error)),
+                f"{reach.half_cycles:.1f}",
+                f"{rows['variance'].iloc[-1]:.2f}",
             ]
-            for _, row in programme.iterrows()
+            for method, reach in done.reaches.items()
+            for rows in [programme[programme["method"] == method]]
         ],
     )  # fmt: skip
     print()
-    for method, reach in done.reaches.items():
-        print(f"* {goal}, {method}: {reach.sentence()}")
+    print_table(
+        [f"{goal}: trait", "mean of lines", "after the index",
+         "difference [sd]"],
+        [
+            [
+                f"{row.trait} [{row.unit}]", f"{row.now:.1f}",
+                f"{row.target:.1f}", f"{row.distance:+.1f}",
+            ]
+            for row in done.tables["targets"].itertuples()
+        ],
+    )  # fmt: skip
+    missed = programme["mean_plant_approximate"] - programme["mean_plant"]
+    print(
+        f"\nMean plants of all cycles: the quadratic approximation misses "
+        f"traced light by up to {missed.abs().max():.1f} points."
+    )
 
 
 def carbon(options: argparse.Namespace) -> None:
@@ -215,7 +234,7 @@ def faults(options: argparse.Namespace) -> None:
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, evaluations=720)
+    parser = parser_of_searches(__doc__, has_figure=True, evaluations=720)
     run_parts(parser, {"carbon": carbon, "grain": grain, "faults": faults})
 
 

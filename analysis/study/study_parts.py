@@ -126,7 +126,10 @@ PARTS = {
     ),
     "selection_grain": Part(
         "What grain does selection among lines reach in five cycles?",
-        ("select_panel.py", "{folder}", "--only", "grain"),
+        (
+            *("select_panel.py", "{folder}", "--only", "grain"),
+            *("--figure", "{figures}/select_grain.png"),
+        ),
         ("--rough",),
     ),
     "selection_carbon": Part(

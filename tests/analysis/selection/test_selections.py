@@ -355,8 +355,9 @@ def test_sentences_compare_the_programme_with_the_ideotype() -> None:
         )
         return find_reach(runs, "index", (ceiling, 0.5)).sentence()
 
+    # Student's interval of two programmes is 12.7 standard errors of 0.1.
     assert sentence(8).startswith(
-        "Standing variation gives 3.10 ± 0.20 of 8.00 ± 0.98 points in 2 "
+        "Standing variation gives 3.1 ± 1.3 of 8.00 ± 0.98 points in 2 "
         "cycles (half of that is not reached in 2 cycles); the rest needs"
     )
     assert "(half of that takes 1.5 cycles); the rest" in sentence(5.1)

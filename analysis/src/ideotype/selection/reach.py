@@ -13,7 +13,8 @@ import numpy as np
 import pandas as pd
 from scipy.stats import norm
 
-from ..history.estimate import Estimate
+from ..history.estimate import NORMAL, Estimate
+from ..history.interval import student
 from .covariances import Matrix
 from .field import Field
 from .genetics import Population
@@ -250,20 +251,25 @@ class Reach:
         )
 
 
+def mean_gains(runs: pd.DataFrame, method: str) -> tuple[Matrix, Matrix]:
+    """Returns the gain by cycle [cycles + 1] [%], as mean over the programmes
+    of a method, and its standard error; NaN for a single programme. The error
+    is scaled so that the normal interval equals Student's interval for the few
+    programmes."""
+    table = runs[runs["method"] == method].pivot(
+        index="repeat", columns="cycle", values="gain"
+    )
+    count = len(table)
+    scale = student(count - 1) / NORMAL if count > 1 else math.nan
+    error = scale * table.std(ddof=1).to_numpy() / math.sqrt(count)
+    return table.mean().to_numpy(), error
+
+
 def find_reach(
     runs: pd.DataFrame, method: str, ceiling: tuple[float, float] | None
 ) -> Reach:
     """Returns the reach of a method from the rows of repeat()."""
-    table = runs[runs["method"] == method].pivot(
-        index="repeat", columns="cycle", values="gain"
-    )
-    curve = table.mean().to_numpy()
-    count = len(table)
-    error = (
-        table.std(ddof=1).to_numpy() / math.sqrt(count)
-        if count > 1
-        else np.full(len(curve), np.nan)
-    )
+    curve, error = mean_gains(runs, method)
     top, top_error = ceiling or (math.nan, math.nan)
     return Reach(top, top_error, curve, error, cycles_to(curve, top / 2))
 

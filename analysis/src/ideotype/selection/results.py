@@ -15,6 +15,9 @@ from .surface import Surface
 
 _SE = "standard error of the column before it"
 _PAIRED = "paired standard error of the column before it"
+_OVER_PROGRAMMES = (
+    f"{_SE}, so that 1.96 of it are Student's 95 % interval over programmes"
+)
 
 COLUMNS: dict[str, dict[str, str]] = {
     "taken": {
@@ -113,7 +116,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "cycle": "rounds of selection so far",
         "gain": "mean objective of the lines over that of the founders, mean "
         "over repeats [%]",
-        "gain_standard_error": _SE,
+        "gain_standard_error": _OVER_PROGRAMMES,
         "mean_plant": "objective of the plant with the mean traits, evaluated "
         "with traced light [%]",
         "mean_plant_standard_error": _PAIRED,
@@ -154,7 +157,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "[%]; empty: none is given",
         "ceiling_standard_error": _PAIRED,
         "gain": "gain after the last cycle [%]",
-        "gain_standard_error": _SE,
+        "gain_standard_error": _OVER_PROGRAMMES,
         "cycles": "number of cycles",
         "half_cycles": "cycles to half of the ceiling; empty: not reached",
     },

@@ -25,6 +25,7 @@ from .reach import (
     choose_crosses,
     evaluate_ceiling,
     find_reach,
+    mean_gains,
     rank_lines,
     set_targets,
 )
@@ -284,15 +285,15 @@ def _programme_table(
         own = runs[runs["method"] == str(method)]
         first = own[own.cycle == 0]
         spread = first.set_index("repeat")["variance"]
-        for cycle, part in own.groupby("cycle"):
+        means = zip(*mean_gains(runs, str(method)), strict=True)
+        for (cycle, part), (gain, error) in zip(own.groupby("cycle"), means):
             variance = part.set_index("repeat")["variance"] / spread
             rows.append(
                 {
                     "method": str(method),
                     "cycle": int(cycle),
-                    "gain": part["gain"].mean(),
-                    "gain_standard_error": part["gain"].std(ddof=1)
-                    / math.sqrt(len(part)),
+                    "gain": gain,
+                    "gain_standard_error": error,
                     "variance": variance.mean(),
                     "inbreeding": part["inbreeding"].mean(),
                     "accuracy": part["accuracy"].mean(),

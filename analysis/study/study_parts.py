@@ -180,6 +180,11 @@ PARTS = {
         ),
         ("--rough", "--generations", "2"),
     ),
+    "nitrogen": Part(
+        "How much leaf nitrogen does a season's carbon need?",
+        ("nitrogen.py", "{folder}"),
+        ("--rough", "--evaluations", "24", "--seeds", "1"),
+    ),
     "front_water": Part(
         "How much water does the carbon of a dry month need?",
         (

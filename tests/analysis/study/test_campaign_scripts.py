@@ -491,6 +491,15 @@ def test_lines_approach_an_ideotype(tmp_path: Path, goal: str) -> None:
         assert float(row[1]) > 0 and 0 < float(row[2]) < 1
 
 
+def test_plants_with_less_nitrogen_have_less_carbon(tmp_path: Path) -> None:
+    words = "--rough", "--evaluations", 24, "--seeds", 1
+    found = run("nitrogen.py", tmp_path, *words)
+    rows = re.findall(r"(?m)^\| (\d\S*) \| (\S+) ± \S+ \| (\S+) ± ", found)
+    assert [float(amount) for amount, *_ in rows] == [1.5, 2.5, 3.5, 4.5, 6]
+    baseline, best = np.array(rows, float)[:, 1:].T
+    assert baseline[0] < 0.9 * baseline[3] and best[0] < 0.9 * best[3]
+
+
 def test_draws_change_which_plant_is_bred(tmp_path: Path) -> None:
     found = run("calibration.py", tmp_path, "--rough", "--only", "bred")
     lines = re.findall(r"(?m)^\| (middle|mean|worst) \| (\S+) ±", found)

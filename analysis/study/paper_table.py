@@ -33,13 +33,14 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import xarray
 from conditions import (
     AT_SILKING,
     CONDITIONS,
@@ -89,23 +90,38 @@ USUAL = ("ga", "auto")
 
 
 @dataclass(frozen=True)
+class Gains:
+    """The gains of the best plant of each search and seed."""
+
+    by_search: dict[str, list[Estimate]]
+    """[%] if `is_percent`, else differences in the unit of the objective."""
+    is_percent: bool
+    """Whether the baseline is above zero, so that gains have a meaning in per
+    cent."""
+
+    def cells(self, unit: str) -> list[str]:
+        """Formats the mean over seeds of each search. unit: that of the
+        objective."""
+        means = map(mean_over_seeds, self.by_search.values())
+        if self.is_percent:
+            return [plus_minus(each) for each in means]
+        symbol = unit.partition(" ")[0]
+        return [f"{plus_minus(each, 3, '+')} {symbol}" for each in means]
+
+
+@dataclass(frozen=True)
 class Found:
     """The results for one condition and objective."""
 
     baseline: Estimate
-    has_percent: bool
-    """Whether the baseline is above zero, so that gains have a meaning in per
-    cent."""
-    gains: dict[str, list[Estimate]]
-    """The gains of the best plant of each search and seed: [%] if
-    `has_percent`, else differences in the unit of the objective."""
+    gains: Gains
     lai: float
     """The leaf area index of the best plant of all."""
     gain_per_leaf_area: Estimate
     """The gain of the best plant of all per leaf area [%]."""
-    varied_gains: dict[str, list[Estimate]]
-    """The gains where plants differ, if plants are alike while they are bred
-    [%]."""
+    varied_gains: Gains | None
+    """The gains where plants differ, if plants are alike while they are
+    bred."""
     splits: list[Split]
     """The gains of the plants of the last search with and without other
     organs; empty if the plants have no other organs."""
@@ -172,14 +188,15 @@ def find(
     stand = Stand(tables)
     genomes = np.array([stand.baseline, *plants])
 
-    def compared(
-        values: Numbers, compare: Callable[..., Estimate]
-    ) -> dict[str, list[Estimate]]:
-        baseline, *others = values.tolist()
+    def compared(seen: xarray.Dataset) -> Gains:
+        values = np.asarray(seen.objective_by_randomisation[:, 0]).tolist()
+        baseline, *others = values
+        is_percent = has_percent(baseline)
+        compare = gain if is_percent else difference
         found: dict[str, list[Estimate]] = {search: [] for search in searches}
         for (search, _), each in zip(keys, others, strict=True):
             found[search].append(compare(baseline, each))
-        return found
+        return Gains(found, is_percent)
 
     seen = stand.evaluate(genomes, ["lai"], final=True)
     values = np.asarray(seen.objective_by_randomisation[:, 0])
@@ -189,46 +206,28 @@ def find(
     if not tables["field"]:
         field = Stand({**tables, "field": SMALL_FIELD})
         varied = field.evaluate(genomes, [], final=True)
-    is_percent = has_percent(values[0].tolist())
-    gains = compared(values, gain if is_percent else difference)
     last = [0, *range(1 + len(keys) - seeds, 1 + len(keys))]
     return Found(
         baseline=estimate(values[0].tolist()),
-        has_percent=is_percent,
-        gains=gains,
+        gains=compared(seen),
         lai=float(lai[first]),
         gain_per_leaf_area=gain(
             (values[0] / lai[0]).tolist(),
             (values[first] / lai[first]).tolist(),
         ),
-        varied_gains={}
-        if varied is None
-        else compared(
-            np.asarray(varied.objective_by_randomisation[:, 0]), gain
-        ),
+        varied_gains=None if varied is None else compared(varied),
         splits=splits_of(stand, genomes[last], values[last]),
     )
 
 
-def over_seeds(values: list[Estimate]) -> str:
-    return plus_minus(mean_over_seeds(values))
-
-
 def row(where: Condition, found: Found, unit: str) -> list[str]:
-    symbol = unit.partition(" ")[0]
-    changes = (
-        over_seeds(each)
-        if found.has_percent
-        else f"{plus_minus(mean_over_seeds(each), 3, '+')} {symbol}"
-        for each in found.gains.values()
-    )
     return [
         where.title,
         plus_minus(found.baseline, 3),
-        *changes,
+        *found.gains.cells(unit),
         f"{found.lai:.1f}",
         plus_minus(found.gain_per_leaf_area, sign="+")
-        if found.has_percent
+        if found.gains.is_percent
         else "",
         *parts(found.splits),
     ]
@@ -266,7 +265,7 @@ def titles_of_parts(splits: Sequence[Split]) -> list[str]:
 
 def tell(results: dict[tuple[str, Condition], Found]) -> None:
     some = next(iter(results.values()))
-    searches = [TITLES_OF_SEARCHES[search] for search in some.gains]
+    searches = [TITLES_OF_SEARCHES[search] for search in some.gains.by_search]
     for objective in dict.fromkeys(name for name, _ in results):
         print(f"**{TITLES[objective]}**\n")
         titles = ["condition", f"baseline [{UNITS[objective]}]"]
@@ -290,9 +289,10 @@ def tell(results: dict[tuple[str, Condition], Found]) -> None:
                 [
                     TITLES[name],
                     where.title,
-                    *map(over_seeds, found.varied_gains.values()),
+                    *found.varied_gains.cells(UNITS[name]),
                 ]
                 for (name, where), found in results.items()
+                if found.varied_gains
             ],
         )
         print()
@@ -302,7 +302,7 @@ def tell(results: dict[tuple[str, Condition], Found]) -> None:
         if where == FIRST:
             cells = (
                 ", ".join(f"{x:.1f}" for x, _ in each)
-                for each in found.gains.values()
+                for each in found.gains.by_search.values()
             )
             by_seed.append([TITLES[objective], *cells])
     print_table(["objective", *searches], by_seed)
@@ -316,12 +316,14 @@ def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
     axes = figure.subplots(1, len(names), sharey=True, squeeze=False)[0]
     for axis, objective in zip(axes, names, strict=True):
         some = results[objective, wheres[0]]
-        for number, search in enumerate(some.gains):
+        for number, search in enumerate(some.gains.by_search):
             color, marker = series(number)
             found = {
-                place: mean_over_seeds(results[objective, where].gains[search])
+                place: mean_over_seeds(
+                    results[objective, where].gains.by_search[search]
+                )
                 for place, where in enumerate(wheres)
-                if results[objective, where].has_percent
+                if results[objective, where].gains.is_percent
             }
             axis.errorbar(
                 [mean for mean, _ in found.values()],

@@ -15,42 +15,66 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from estimates import plus_minus, print_table
-from shared import ROUGH, campaign_of, guard, parser_of_searches, sensitivity
+from shared import (
+    ROUGH,
+    campaign_of,
+    guard,
+    parser_of_searches,
+    sensitivity,
+    words_of,
+)
 
 
-class Range(NamedTuple):
-    """The range of a parameter, from a source or estimated (E)."""
+class Parameter(NamedTuple):
+    """A parameter with its range, from a source or estimated (E)."""
 
+    words: str
     low: float
     high: float
+    unit: str
     is_estimate: bool = False
 
-    def __str__(self) -> str:
+    def range(self) -> str:
+        unit = f" {self.unit}" if self.unit else ""
         mark = " (E)" if self.is_estimate else ""
-        return f"{self.low:g} to {self.high:g}{mark}"
+        return f"{self.low:g} to {self.high:g}{unit}{mark}"
 
 
-#: The range of the phyllochron is one standard deviation between datasets of
-#: the Corn Belt (13 to 18 %, doi:10.3389/fpls.2022.872738); those of kernels
-#: and their filling are from crops/maize_hybrid.toml.
-PARAMETERS: dict[str, Range] = {
-    "photosynthesis.vmax": Range(30, 48, is_estimate=True),
-    "photosynthesis.alpha": Range(0.057, 0.077, is_estimate=True),
-    "photosynthesis.rd": Range(0.4, 1.2, is_estimate=True),
-    "plant.baseline.growth.ear_maintenance": Range(
-        0.005, 0.015, is_estimate=True
+#: By key. The range of the phyllochron is one standard deviation between
+#: datasets of the Corn Belt (13 to 18 %, doi:10.3389/fpls.2022.872738); those
+#: of kernels and their filling are from crops/maize_hybrid.toml.
+PARAMETERS = {
+    "photosynthesis.vmax": Parameter(
+        "capacity", 30, 48, "µmol m-2 s-1", is_estimate=True
     ),
-    "plant.baseline.stalk.maintenance": Range(0.010, 0.020, is_estimate=True),
-    "plant.baseline.growth.interval": Range(38, 50),
-    "plant.baseline.growth.root_share": Range(0.10, 0.20),
-    "plant.baseline.grain.kernels": Range(385, 600),
-    "plant.baseline.grain.filling_rate": Range(5.4, 8.5),
+    "photosynthesis.alpha": Parameter(
+        "quantum yield", 0.057, 0.077, "", is_estimate=True
+    ),
+    "photosynthesis.rd": Parameter(
+        "respiration of leaves", 0.4, 1.2, "µmol m-2 s-1", is_estimate=True
+    ),
+    "plant.baseline.growth.ear_maintenance": Parameter(
+        "maintenance of ears", 0.005, 0.015, "d-1", is_estimate=True
+    ),
+    "plant.baseline.stalk.maintenance": Parameter(
+        "maintenance of stalks", 0.010, 0.020, "d-1", is_estimate=True
+    ),
+    "plant.baseline.growth.interval": Parameter("phyllochron", 38, 50, "°C d"),
+    "plant.baseline.growth.root_share": Parameter(
+        "share of roots", 0.10, 0.20, ""
+    ),
+    "plant.baseline.grain.kernels": Parameter(
+        "kernels per plant", 385, 600, ""
+    ),
+    "plant.baseline.grain.filling_rate": Parameter(
+        "filling rate", 5.4, 8.5, "mg d-1"
+    ),
 }
 OBJECTIVES = ("dry_matter", "grain_yield")
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, samples=64)
+    parser = parser_of_searches(__doc__, samples=192)
     options = parser.parse_args()
     tables = campaign_of(
         "growing_season",
@@ -59,8 +83,8 @@ def main() -> None:
         sensitivity={
             "samples": options.samples,
             "keys": [
-                {"key": key, "range": [limits.low, limits.high]}
-                for key, limits in PARAMETERS.items()
+                {"key": key, "range": [each.low, each.high]}
+                for key, each in PARAMETERS.items()
             ],
         },
         **{"light": {"tolerance": 0.03}, **(ROUGH if options.rough else {})},
@@ -73,8 +97,14 @@ def main() -> None:
             (float(x.index["total"][k]), float(x.standard_error["total"][k]))
             for x in found
         ]
-        of = str(PARAMETERS.get(factor, "breedable"))
-        rows.append([factor, of, *(plus_minus(x, 2) for x in totals)])
+        known = PARAMETERS.get(factor)
+        rows.append(
+            [
+                f"{known.words} (`{factor}`)" if known else words_of(factor),
+                known.range() if known else "breedable",
+                *(plus_minus(x, 2) for x in totals),
+            ]
+        )
     print_table(
         ["total Sobol' index", "range", "dry matter", "grain yield"], rows
     )

@@ -340,6 +340,11 @@ def front_of(history: Path) -> Numbers:
     return np.asarray(front.members.genome, float)
 
 
+def words_of(trait: str) -> str:
+    """Returns the words of a trait: those of a profile are the trait's."""
+    return trait.removesuffix("_profile").replace("_", " ")
+
+
 def best_plants(tables: Mapping[str, Any], folder: Path) -> list[Numbers]:
     """Returns the genome of the best plant of each seed of a campaign."""
     return [best(path) for path in breed_tables(tables, folder)]

@@ -57,6 +57,17 @@ PARTS = {
         ("plants_differ.py", "--figure", "{figures}/plants_differ.png"),
         ("--under", str(CAMPAIGNS / "ames_quick.toml"), "--plants", "2"),
     ),
+    "uniform_stands": Part(
+        "How good are plants optimised in uniform stands where plants differ?",
+        (
+            *("paper_table.py", "{folder}", "--search", "auto", "--alike"),
+            *("--condition", "all", "15x3", "--other-seeds", "3"),
+        ),
+        (
+            *("--rough", "--objective", "absorbed_par", "--condition", "all"),
+            *("--evaluations", "20", "--seeds", "1", "--other-seeds", "1"),
+        ),
+    ),
     "feasible": Part(
         "What does it cost to stay within measured maize lines?",
         ("feasible.py", "{folder}"),

@@ -56,6 +56,7 @@ from shared import (
     parser_of_searches,
     say,
     sensitivity,
+    words_of,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -230,15 +231,11 @@ def look(objective: str, options: argparse.Namespace) -> Result:
     return Result(found, parts.pop(""), parts, costs)
 
 
-def of_trait(name: str) -> str:
-    return name.removesuffix("_profile").replace("_", " ")
-
-
 def sobol(indices: Indices, which: str) -> dict[str, Estimate]:
     """Returns one of the indices for each trait."""
     numbers = (indices.index[which], indices.standard_error[which])
     return {
-        of_trait(trait): (float(mean), float(error))
+        words_of(trait): (float(mean), float(error))
         for trait, mean, error in zip(indices.factors, *numbers, strict=True)
     }
 

@@ -241,7 +241,9 @@ def test_gains_over_a_loss_are_in_the_unit_of_the_objective(
     table = run(
         *("paper_table.py", tmp_path, "--rough", "--evaluations", 200),
         *("--search", "auto", "--plant", os.path.relpath(MAIZE), *words),
+        "--alike",
     )
+    assert re.search(r"season \| 15 x 3 \| \+\S+ ± \S+ mol \|", table), table
     cell = r" (\S+) ± (\S+) mol \|"
     row = re.search(
         rf"\| 15 x 3 \| (\S+) ± \S+ \|{cell} \S+ \|  \|{4 * cell}", table

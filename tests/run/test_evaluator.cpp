@@ -338,10 +338,10 @@ TEST(StudiesOfASeason, KeysOfGrowthAndOfLeavesHaveTheQuantitiesOfTheBaseline) {
         {"objective={maximise=\"grain_yield\"}", "light.tolerance=0",
          "light.paths=64", "light.stages=4", "field.rows=1", "field.plants=1",
          "sensitivity.traits=false",
-         "sensitivity.keys=["
-         "{key=\"plant.baseline.growth.maturity\", range=[700, 970]},"
-         "{key=\"plant.baseline.grain.kernels\", range=[200, 600]},"
-         "{key=\"plant.baseline.plasticity.reference\", range=[2, 20]}]"});
+         ("sensitivity.keys=["
+          "{key=\"plant.baseline.growth.maturity\", range=[700, 970]},"
+          "{key=\"plant.baseline.grain.kernels\", range=[200, 600]},"
+          "{key=\"plant.baseline.plasticity.reference\", range=[2, 20]}]")});
     CanopyEvaluator evaluator(season, Device::supported_isas().back());
     const Task task;
     const OutcomeSchema& schema = evaluator.schema(task);

@@ -90,3 +90,9 @@ def test_invalid_times_are_refused(
 ) -> None:
     with pytest.raises(ValueError, match="pairs|positive"):
         bench.change(before, now)
+
+
+def test_times_are_those_of_items() -> None:
+    row = {"cpu_time": 640.0, "time_unit": "us"}
+    assert bench.time_of(row) == pytest.approx(640e-6)
+    assert bench.time_of(row | {"items_per_second": 1e5}) == 1e-5

@@ -13,7 +13,7 @@ import numpy as np
 
 from ideotype.history.estimate import NORMAL, relative_gain
 from ideotype.history.estimate import Estimate as Figure
-from ideotype.history.interval import interval, student
+from ideotype.history.interval import interval, student_error
 
 Estimate = tuple[float, float]
 """A mean and its standard error."""
@@ -73,8 +73,7 @@ def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
     means = [mean for mean, _ in values]
     error = math.hypot(*(error for _, error in values)) / len(values)
     if len(values) > 1:
-        spread = stdev(means) / math.sqrt(len(means))
-        error = max(error, student(len(means) - 1) / NORMAL * spread)
+        error = max(error, student_error(stdev(means), len(means)))
     return fmean(means), error
 
 

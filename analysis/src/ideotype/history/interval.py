@@ -51,6 +51,15 @@ def student(degrees_of_freedom: float) -> float:
     return float(stdtrit(degrees_of_freedom, 0.975))
 
 
+def student_error(deviation: float, count: int) -> float:
+    """Returns the standard error of a mean of a few values with this standard
+    deviation, scaled so that the normal interval equals Student's; NaN for a
+    single value."""
+    if count < 2:
+        return math.nan
+    return student(count - 1) / NORMAL * deviation / math.sqrt(count)
+
+
 @dataclass(frozen=True)
 class Interval:
     """A mean over searches with its 95 % confidence interval, which may be

@@ -13,8 +13,8 @@ import numpy as np
 import pandas as pd
 from scipy.stats import norm
 
-from ..history.estimate import NORMAL, Estimate
-from ..history.interval import student
+from ..history.estimate import Estimate
+from ..history.interval import student_error
 from .covariances import Matrix
 from .field import Field
 from .genetics import Population
@@ -259,10 +259,8 @@ def mean_gains(runs: pd.DataFrame, method: str) -> tuple[Matrix, Matrix]:
     table = runs[runs["method"] == method].pivot(
         index="repeat", columns="cycle", values="gain"
     )
-    count = len(table)
-    scale = student(count - 1) / NORMAL if count > 1 else math.nan
-    error = scale * table.std(ddof=1).to_numpy() / math.sqrt(count)
-    return table.mean().to_numpy(), error
+    error = table.std(ddof=1).map(lambda x: student_error(x, len(table)))
+    return table.mean().to_numpy(), error.to_numpy()
 
 
 def find_reach(

@@ -28,8 +28,9 @@ from shared import (
     TITLES,
     best,
     breed_tables,
+    finals,
     guard,
-    light,
+    objectives,
     parser_of_searches,
 )  # fmt: skip
 
@@ -74,8 +75,8 @@ def main() -> None:
             (history,) = breed_tables(tables, options.folder)
             stand = Stand.from_history(history, same_isa=False)
             plants = np.array([stand.baseline, best(history)])
-            values = light(stand, plants)
-            found = stand.evaluate(plants, QUANTITIES, final=True)
+            found = finals(stand, plants, QUANTITIES)
+            values = objectives(found)
             with ideotype.open_history(history) as opened:
                 unit = opened.objectives[0].unit
             rows.append(

@@ -38,8 +38,9 @@ from shared import (
     ROUGH,
     Numbers,
     best_plants,
+    finals,
     guard,
-    light,
+    objectives,
     parser_of_searches,
     say,
 )
@@ -84,13 +85,20 @@ def find(amount: float, options: argparse.Namespace) -> Level:
     tables = campaign(amount, options)
     plants = best_plants(tables, options.folder)
     stand = Stand(tables)
-    baseline, *bred = light(stand, np.array([stand.baseline, *plants]))
-    index = stand.evaluate(np.array(plants), ["lai"], final=True)["lai"]
-    return Level(amount, baseline, bred, float(np.mean(index.values)))
+    seen = finals(stand, np.array([stand.baseline, *plants]), ["lai"])
+    baseline, *bred = objectives(seen)
+    return Level(amount, baseline, bred, float(seen["lai"][1:].mean()))
 
 
 def over_seeds(values: list[Numbers]) -> Estimate:
     return mean_over_seeds([estimate(each.tolist()) for each in values])
+
+
+def of_one_more(less: Level, more: Level) -> str:
+    """Formats what one more gram of nitrogen adds to the best plants."""
+    step = more.amount - less.amount
+    pairs = zip(less.bred, more.bred, strict=True)
+    return plus_minus(over_seeds([(y - x) / step for x, y in pairs]), 3, "+")
 
 
 def main() -> None:
@@ -104,37 +112,23 @@ def main() -> None:
         )
         for each in levels
     }
-    rows = []
-    for before, level in zip([None, *levels], levels):
-        more = ""
-        if before is not None:
-            step = level.amount - before.amount
-            more = plus_minus(
-                over_seeds(
-                    [
-                        (after - first) / step
-                        for first, after in zip(before.bred, level.bred)
-                    ]
-                ),
-                3,
-                "+",
-            )
-        rows.append(
-            [
-                f"{level.amount:g}",
-                plus_minus(estimate(level.baseline.tolist()), 3),
-                plus_minus(over_seeds(level.bred), 3),
-                plus_minus(gains[level.amount], 1, "+"),
-                more,
-                f"{level.lai:.2f}",
-            ]
-        )
+    more = ["", *(of_one_more(*pair) for pair in pairwise(levels))]
     print_table(
         ["leaf nitrogen [g m-2]", "carbon balance of the baseline "
          "[mol m-2 day-1]", "of the best plants",
          f"over the baseline with {USUAL:g} g m-2 [%]",
          "of one more g of nitrogen", "leaf area index"],
-        rows,
+        [
+            [
+                f"{level.amount:g}",
+                plus_minus(estimate(level.baseline.tolist()), 3),
+                plus_minus(over_seeds(level.bred), 3),
+                plus_minus(gains[level.amount], 1, "+"),
+                cell,
+                f"{level.lai:.2f}",
+            ]
+            for level, cell in zip(levels, more, strict=True)
+        ],
     )  # fmt: skip
     for low, high in pairwise(gains.items()):
         if low[1][0] < 0 <= high[1][0]:

@@ -68,8 +68,10 @@ from shared import (
     Numbers,
     best,
     breed_tables,
+    finals,
     guard,
     light,
+    objectives,
     parser_of_searches,
     say,
 )  # fmt: skip
@@ -189,8 +191,7 @@ def find(
     genomes = np.array([stand.baseline, *plants])
 
     def compared(seen: xarray.Dataset) -> Gains:
-        values = np.asarray(seen.objective_by_randomisation[:, 0]).tolist()
-        baseline, *others = values
+        baseline, *others = objectives(seen).tolist()
         is_percent = has_percent(baseline)
         compare = gain if is_percent else difference
         found: dict[str, list[Estimate]] = {search: [] for search in searches}
@@ -198,14 +199,14 @@ def find(
             found[search].append(compare(baseline, each))
         return Gains(found, is_percent)
 
-    seen = stand.evaluate(genomes, ["lai"], final=True)
-    values = np.asarray(seen.objective_by_randomisation[:, 0])
+    seen = finals(stand, genomes, ["lai"])
+    values = objectives(seen)
     lai = np.asarray(seen.lai)
     first = int(values[1:].mean(1).argmax()) + 1
     varied = None
     if not tables["field"]:
         field = Stand({**tables, "field": SMALL_FIELD})
-        varied = field.evaluate(genomes, [], final=True)
+        varied = finals(field, genomes)
     last = [0, *range(1 + len(keys) - seeds, 1 + len(keys))]
     return Found(
         baseline=estimate(values[0].tolist()),

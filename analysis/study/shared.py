@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import tomli_w
+import xarray
 from estimates import Estimate, gain
 from numpy.typing import NDArray
 
@@ -272,7 +273,7 @@ def search_by_package(
         found = stand.evaluate(
             asked, [], generation=len(generations), seed=seed, threads=1
         )
-        values = np.asarray(found.objective_by_randomisation[:, 0])
+        values = objectives(found)
         generations.append(values.mean(axis=1).tolist())
         search.tell(generations[-1])
         count += len(asked)
@@ -365,14 +366,28 @@ def stand_of(plant: Path, campaign: Path, settings: Settings = ()) -> Stand:
         )
 
 
-def light(stand: Stand, genomes: Numbers) -> Numbers:
-    """Returns the objective of plants evaluated like finalists, all in the
-    same fields and with common random numbers [plants, randomisations]."""
-    found = stand.evaluate(genomes, [], final=True)
+def finals(
+    stand: Stand, genomes: Numbers, quantities: Sequence[str] = ()
+) -> xarray.Dataset:
+    """Evaluates plants like finalists, all in the same fields and with common
+    random numbers. Raises Error if an evaluation fails."""
+    found = stand.evaluate(genomes, list(quantities), final=True)
     for message in found.message.values:
         if message:
             raise ideotype.Error(f"{stand.name}: {message}")
+    return found
+
+
+def objectives(found: xarray.Dataset) -> Numbers:
+    """Returns the first objective of evaluated plants [plants,
+    randomisations]."""
     return np.asarray(found.objective_by_randomisation[:, 0])
+
+
+def light(stand: Stand, genomes: Numbers) -> Numbers:
+    """Returns the objective of plants as finals() evaluates them [plants,
+    randomisations]."""
+    return objectives(finals(stand, genomes))
 
 
 def light_of_baselines(stands: Iterable[Stand]) -> Numbers:

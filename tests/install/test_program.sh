@@ -4,8 +4,8 @@
 . "$(dirname "$0")/../cli/common.sh"
 build=$4
 
-DESTDIR=$folder/root expect 0 cmake --install "$build" --prefix /ideotype
-prefix=$folder/root/ideotype
+DESTDIR=$folder/stage expect 0 cmake --install "$build" --prefix /ideotype
+prefix=$folder/stage/ideotype
 share=$prefix/share
 expect 0 "$prefix/bin/ideotype" check "$share/ideotype/campaigns/ames_quick.toml"
 for file in doc/ideotype/LICENSE bash-completion/completions/ideotype; do

@@ -491,6 +491,10 @@ def test_lines_approach_an_ideotype(tmp_path: Path, goal: str) -> None:
         row = re.search(rf"(?m)^\| {name} \| (\S+) ± .* \| (\S+) \|$", tables)
         assert row is not None, tables
         assert float(row[1]) > 0 and 0 < float(row[2]) < 1
+    rows = re.findall(
+        r"(?m)^\| mean \| (\S+) ± \S+ \| (\S+) ± \S+ \| ", tables
+    )
+    assert rows, tables
 
 
 def test_plants_with_less_nitrogen_have_less_carbon(tmp_path: Path) -> None:
